@@ -1,0 +1,137 @@
+//! A whole sea against the bare transforms it cannot do without, on one thread.
+//!
+//! `sea/N` evolves the waves and makes all eight fields of a tile of N² samples. `realfft/N` makes eight fields
+//! from eight spectra that are there already, with realfft along rows and rustfft along columns: the yardstick.
+//! `bare/N` does the same with our own transform. The ratios are what the sea costs beyond its transforms.
+
+use criterion::{BenchmarkId, Criterion};
+use realfft::{ComplexToReal, RealFftPlanner};
+use rustfft::{Fft, FftPlanner};
+use std::hint::black_box;
+use std::sync::Arc;
+use whitecap_waves::direction::toward_from_nautical;
+use whitecap_waves::model::spectral::{Amplitudes, SpectralSea, SpectralSeaParameters};
+use whitecap_waves::model::{TileFields, WaveModel};
+use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
+use whitecap_waves::transform::{Complex, InverseReal2d};
+
+const SIZES: [usize; 3] = [64, 256, 512];
+const FIELDS: usize = 8;
+
+fn sea(resolution: usize) -> SpectralSea {
+    let wind_sea = Phillips::new(PhillipsParameters {
+        wind_speed_mps: 10.0,
+        toward: toward_from_nautical(250.0),
+        significant_height_m: None,
+        opposing_energy: 0.0,
+        small_wave_cutoff_m: 0.0,
+    });
+    let parameters = SpectralSeaParameters {
+        tile_size_m: 400.0,
+        resolution,
+        choppiness: 1.0,
+        seed: 7,
+        amplitudes: Amplitudes::Deterministic,
+    };
+    SpectralSea::new(parameters, &[wind_sea.expect("a good spectrum")]).expect("a sea that fits its tile")
+}
+
+/// A Hermitian spectrum with energy everywhere, as the transform takes it.
+fn spectrum(n: usize) -> Vec<Complex<f32>> {
+    let wave = |i: usize| Complex::new((i as f32).sin(), (1.7 * i as f32).cos()) / n as f32;
+    let mut half: Vec<_> = (0..n * n / 2).map(wave).collect();
+    (half[0].im, half[n / 2].im) = (0.0, 0.0);
+    for q in 1..n / 2 {
+        half[n - q] = half[q].conj();
+    }
+    half
+}
+
+/// A two-dimensional complex-to-real inverse transform as one would write it with realfft: complex transforms
+/// down the columns, a turn to rows by blocks, real transforms along the rows.
+struct Yardstick {
+    n: usize,
+    down: Arc<dyn Fft<f32>>,
+    along: Arc<dyn ComplexToReal<f32>>,
+    columns: Vec<Complex<f32>>,
+    rows: Vec<Complex<f32>>,
+    scratch: Vec<Complex<f32>>,
+}
+
+impl Yardstick {
+    fn new(n: usize) -> Yardstick {
+        let down = FftPlanner::new().plan_fft_inverse(n);
+        let along = RealFftPlanner::new().plan_fft_inverse(n);
+        let scratch = down.get_inplace_scratch_len().max(along.get_scratch_len());
+        let zeros = |len| vec![Complex::default(); len];
+        let (columns, rows, scratch) = (zeros(n * n / 2), zeros(n * (n / 2 + 1)), zeros(scratch));
+        Yardstick { n, down, along, columns, rows, scratch }
+    }
+
+    /// `half` holds columns as [`InverseReal2d`] takes them.
+    fn process(&mut self, half: &[Complex<f32>], out: &mut [f32]) {
+        const BLOCK: usize = 16;
+        let (n, width) = (self.n, self.n / 2 + 1);
+        self.columns.copy_from_slice(half);
+        self.down.process_with_scratch(&mut self.columns, &mut self.scratch);
+        for (z0, x0) in (0..n).step_by(BLOCK).flat_map(|z| (0..n / 2).step_by(BLOCK).map(move |x| (z, x))) {
+            for z in z0..z0 + BLOCK {
+                for x in x0..x0 + BLOCK {
+                    self.rows[z * width + x] = self.columns[x * n + z];
+                }
+            }
+        }
+        for (row, out) in self.rows.chunks_exact_mut(width).zip(out.chunks_exact_mut(n)) {
+            // The constant and the Nyquist term of a real row are real.
+            (row[0].im, row[n / 2]) = (0.0, Complex::default());
+            self.along.process_with_scratch(row, out, &mut self.scratch).expect("lengths agree");
+        }
+    }
+}
+
+fn synthesis(criterion: &mut Criterion) {
+    for n in SIZES {
+        let mut sea = sea(n);
+        let mut fields = TileFields::new(n);
+        let mut time_s = 0.0;
+        criterion.benchmark_group("sea").bench_function(BenchmarkId::from_parameter(n), |bencher| {
+            bencher.iter(|| {
+                time_s += 1.0 / 60.0;
+                sea.evaluate(black_box(time_s), &mut fields);
+                black_box(&fields);
+            });
+        });
+
+        let mut yardstick = Yardstick::new(n);
+        let spectra: Vec<_> = (0..FIELDS).map(|_| spectrum(n)).collect();
+        let mut outs = vec![vec![0.0; n * n]; FIELDS];
+        criterion.benchmark_group("realfft").bench_function(BenchmarkId::from_parameter(n), |bencher| {
+            bencher.iter(|| {
+                for (half, out) in spectra.iter().zip(&mut outs) {
+                    yardstick.process(black_box(half), out);
+                }
+                black_box(&outs);
+            });
+        });
+
+        let mut transform = InverseReal2d::new(n).expect("a good size");
+        criterion.benchmark_group("bare").bench_function(BenchmarkId::from_parameter(n), |bencher| {
+            bencher.iter(|| {
+                for (half, out) in spectra.iter().zip(&mut outs) {
+                    transform.process(black_box(half), out);
+                }
+                black_box(&outs);
+            });
+        });
+    }
+}
+
+/// Everything runs in a pool of one thread, so that both sides are what one core does.
+fn main() {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("one thread");
+    pool.install(|| {
+        let mut criterion = Criterion::default().configure_from_args();
+        synthesis(&mut criterion);
+        criterion.final_summary();
+    });
+}

@@ -1,0 +1,118 @@
+//! Surfaces in time: the trait that every wave model implements, and the models.
+
+use glam::{DVec2, DVec3};
+
+mod fields;
+pub mod spectral;
+
+pub use fields::TileFields;
+
+/// A moving water surface that repeats over a square tile.
+///
+/// A model maps a *rest point*, a place on the flat sea, and a time to a displaced point: the water that lies
+/// at (x, z) when the sea is calm is at (x + dx, height, z + dz) at time `t`. The map, its slopes and its
+/// gradients have the period of the tile in x and in z.
+///
+/// # Implementing
+///
+/// A model answers the same question in two ways, and they must agree: [`evaluate`](Self::evaluate) fills a
+/// whole tile in f32, as fast as it can; [`sample`](Self::sample) answers for one point in f64, exactly.
+/// Everything is a function of the model's parameters and the time alone: no clock, no state carried from
+/// one call to the next. `evaluate` allocates nothing when `fields` already has the right size.
+///
+/// The whole of a model, one sine that runs east along the tile's side:
+///
+/// ```
+/// use glam::{DVec2, DVec3};
+/// use std::f64::consts::TAU;
+/// use whitecap_waves::dispersion::deep_water_angular_frequency;
+/// use whitecap_waves::model::{SurfacePoint, TileFields, WaveModel};
+///
+/// struct SingleSine { wavelength_m: f64, amplitude_m: f64, resolution: usize }
+///
+/// impl SingleSine {
+///     /// Height and its slope along x.
+///     fn wave(&self, x: f64, time_s: f64) -> (f64, f64) {
+///         let k = TAU / self.wavelength_m;
+///         let phase = k * x - deep_water_angular_frequency(k) * time_s;
+///         (self.amplitude_m * phase.cos(), -self.amplitude_m * k * phase.sin())
+///     }
+/// }
+///
+/// impl WaveModel for SingleSine {
+///     fn tile_size_m(&self) -> f64 {
+///         self.wavelength_m
+///     }
+///     fn resolution(&self) -> usize {
+///         self.resolution
+///     }
+///     fn variance_m2(&self) -> f64 {
+///         0.5 * self.amplitude_m * self.amplitude_m
+///     }
+///     fn evaluate(&mut self, time_s: f64, fields: &mut TileFields) {
+///         let n = self.resolution;
+///         fields.resize(n);
+///         for i in 0..n * n {
+///             let x = (i % n) as f64 * self.wavelength_m / n as f64;
+///             let (height, slope) = self.wave(x, time_s);
+///             fields.height[i] = height as f32;
+///             fields.slope_x[i] = slope as f32;
+///         }
+///         // This model only moves water up and down and is level along z.
+///         for flat in [
+///             &mut fields.displacement_x, &mut fields.displacement_z, &mut fields.slope_z,
+///             &mut fields.gradient_xx, &mut fields.gradient_xz, &mut fields.gradient_zz,
+///         ] {
+///             flat.fill(0.0);
+///         }
+///     }
+///     fn sample(&self, rest_m: DVec2, time_s: f64) -> SurfacePoint {
+///         let (height, slope) = self.wave(rest_m.x, time_s);
+///         SurfacePoint {
+///             displacement_m: DVec3::new(0.0, height, 0.0),
+///             normal: DVec3::new(-slope, 1.0, 0.0).normalize(),
+///             jacobian: 1.0,
+///             slope: DVec2::new(slope, 0.0),
+///         }
+///     }
+/// }
+///
+/// let mut sine = SingleSine { wavelength_m: 20.0, amplitude_m: 0.5, resolution: 16 };
+/// let mut fields = TileFields::new(16);
+/// sine.evaluate(3.0, &mut fields);
+/// let point = sine.sample(DVec2::new(5.0 * 20.0 / 16.0, 0.0), 3.0);
+/// assert!((f64::from(fields.height[5]) - point.displacement_m.y).abs() < 1e-6);
+/// ```
+pub trait WaveModel: Send + Sync {
+    /// The side of the tile in metres: the surface repeats with this period in x and in z.
+    fn tile_size_m(&self) -> f64;
+
+    /// Samples along a side of the tile, at least 1. Renderers draw up to 2048.
+    fn resolution(&self) -> usize;
+
+    /// The expected variance m0 of the height in m²: for a sum of waves of amplitudes a, ½Σa². The
+    /// significant height is 4√m0.
+    fn variance_m2(&self) -> f64;
+
+    /// All fields of the tile at `time_s`. Resizes `fields` where needed; allocates nothing otherwise.
+    fn evaluate(&mut self, time_s: f64, fields: &mut TileFields);
+
+    /// The surface over the rest point `rest_m` (`.x` east, `.y` south) at `time_s`: exact at any place,
+    /// independent of the grid, and equal to the tile's own samples within their f32 rounding.
+    fn sample(&self, rest_m: DVec2, time_s: f64) -> SurfacePoint;
+}
+
+/// The surface over one rest point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SurfacePoint {
+    /// Where the water is, relative to its rest point: x east, y up, z south, in metres.
+    pub displacement_m: DVec3,
+    /// The unit normal of the displaced surface. Its y has the sign of the Jacobian: above 0 unless the
+    /// surface folds over itself.
+    pub normal: DVec3,
+    /// The area of the displaced surface, seen from above, per area at rest: 1 on calm water, small where
+    /// waves crowd into a crest, below 0 where the surface folds over itself.
+    pub jacobian: f64,
+    /// The derivatives of the height by the rest coordinates x and z.
+    pub slope: DVec2,
+}

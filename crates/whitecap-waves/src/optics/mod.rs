@@ -1,0 +1,14 @@
+//! What the water's surface and its volume do to light.
+//!
+//! Each function is the f64 twin of a shader function of the same name, so that a test can hold one against
+//! the other.
+
+mod color;
+mod exposure;
+mod fresnel;
+mod geometry;
+
+pub use color::{WATER_REFRACTIVE_INDEX, WaterBody, water_color_lerp, water_color_single_scatter};
+pub use exposure::{MAX_EXPOSURE, exposure_split};
+pub use fresnel::{fresnel_exact, fresnel_jensen_golias};
+pub use geometry::{curvature_drop_m, visible_cosine};

@@ -1,0 +1,66 @@
+//! The laws that a spectral sea obeys, one file for each kind.
+
+mod energy;
+mod fitting;
+mod geometry;
+mod threads;
+mod travel;
+
+use glam::DVec2;
+use std::f64::consts::TAU;
+use whitecap_waves::model::spectral::{Amplitudes, SpectralSea, SpectralSeaParameters};
+use whitecap_waves::spectrum::WaveSpectrum;
+use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
+
+/// A fresh breeze from the west and a tile that holds its sea.
+const WIND: PhillipsParameters = PhillipsParameters {
+    wind_speed_mps: 10.0,
+    toward: DVec2::X,
+    significant_height_m: None,
+    opposing_energy: 0.0,
+    small_wave_cutoff_m: 0.0,
+};
+const TILE: SpectralSeaParameters = SpectralSeaParameters {
+    tile_size_m: 400.0,
+    resolution: 64,
+    choppiness: 1.0,
+    seed: 7,
+    amplitudes: Amplitudes::Deterministic,
+};
+
+fn wind_sea(tile: SpectralSeaParameters, wind: PhillipsParameters) -> SpectralSea {
+    let spectrum = Phillips::new(wind).expect("a spectrum within its ranges");
+    SpectralSea::new(tile, &[spectrum]).expect("a sea that fits its tile")
+}
+
+/// All the energy in the one cell of the lattice of `tile_size_m` at (p, q): a single wave of amplitude
+/// √(2 m0).
+struct OneWave {
+    tile_size_m: f64,
+    lattice: DVec2,
+    variance_m2: f64,
+}
+
+impl OneWave {
+    fn k(&self) -> DVec2 {
+        TAU / self.tile_size_m * self.lattice
+    }
+}
+
+impl WaveSpectrum for OneWave {
+    fn density_m4(&self, k: DVec2) -> f64 {
+        let spacing = TAU / self.tile_size_m;
+        if k.distance(self.k()) < 0.5 * spacing { self.variance_m2 / (spacing * spacing) } else { 0.0 }
+    }
+    fn variance_m2(&self) -> f64 {
+        self.variance_m2
+    }
+}
+
+/// The wave at lattice point (p, q) of a 100 m tile, half a metre high.
+fn one_wave(p: f64, q: f64) -> (OneWave, SpectralSea) {
+    let wave = OneWave { tile_size_m: 100.0, lattice: DVec2::new(p, q), variance_m2: 0.125 };
+    let tile = SpectralSeaParameters { tile_size_m: 100.0, resolution: 32, ..TILE };
+    let sea = SpectralSea::new(tile, &[&wave]).expect("one wave always fits");
+    (wave, sea)
+}

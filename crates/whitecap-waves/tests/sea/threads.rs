@@ -1,0 +1,47 @@
+//! Equal bits, however a sea is computed.
+
+use crate::{TILE, WIND, wind_sea};
+use whitecap_waves::model::spectral::SpectralSeaParameters;
+use whitecap_waves::model::{TileFields, WaveModel};
+
+fn evaluated(resolution: usize) -> TileFields {
+    let mut fields = TileFields::default();
+    wind_sea(SpectralSeaParameters { resolution, ..TILE }, WIND).evaluate(33.25, &mut fields);
+    fields
+}
+
+fn bits(fields: &TileFields) -> Vec<u32> {
+    let arrays = [
+        &fields.height,
+        &fields.displacement_x,
+        &fields.displacement_z,
+        &fields.slope_x,
+        &fields.slope_z,
+        &fields.gradient_xx,
+        &fields.gradient_xz,
+        &fields.gradient_zz,
+    ];
+    arrays.into_iter().flatten().map(|v| v.to_bits()).collect()
+}
+
+#[test]
+fn the_number_of_threads_changes_no_bit() {
+    for resolution in [64, 128, 256] {
+        let on = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            bits(&pool.install(|| evaluated(resolution)))
+        };
+        let alone = on(1);
+        assert!(on(2) == alone && on(3) == alone, "{resolution}");
+    }
+}
+
+#[test]
+fn neither_do_earlier_moments_nor_used_fields() {
+    let mut sea = wind_sea(SpectralSeaParameters { resolution: 64, ..TILE }, WIND);
+    let mut fields = TileFields::new(128);
+    sea.evaluate(-700.0, &mut fields);
+    sea.evaluate(33.25, &mut fields);
+    assert_eq!(fields.resolution(), 64);
+    assert!(bits(&fields) == bits(&evaluated(64)));
+}
