@@ -1,0 +1,27 @@
+//! The scenes that come with the library, each a file that can be copied and changed.
+
+/// A scene that is found by name.
+#[derive(Clone, Copy, Debug)]
+pub struct NamedScene {
+    /// The name: the file's name without `.toml`.
+    pub name: &'static str,
+    /// What it shows, in a few words.
+    pub title: &'static str,
+    /// The scene file.
+    pub toml: &'static str,
+}
+
+/// The scene that is shown when none is asked for.
+pub const DEFAULT: &str = "meshuggah";
+
+/// Every named scene.
+pub const ALL: &[NamedScene] = &[NamedScene {
+    name: "meshuggah",
+    title: "Wenzel's ocean of 2002: a low sun, a fresh breeze",
+    toml: include_str!("../scenes/meshuggah.toml"),
+}];
+
+/// The named scene of this name.
+pub fn find(name: &str) -> Option<&'static NamedScene> {
+    ALL.iter().find(|scene| scene.name == name)
+}

@@ -1,0 +1,72 @@
+//! Registries: the kinds of a thing that a scene file can ask for by a word.
+
+use crate::error::SceneError;
+use crate::key::{Accepts, Entry, Key, WhenAbsent, read_word};
+use crate::reader::{TableReader, ValueReader};
+
+/// One kind of a thing: the word that scene files say for it, and the settings that it brings.
+pub struct Registered<T: 'static> {
+    /// The word in the file.
+    pub word: &'static str,
+    /// What it is, in one sentence without a full stop.
+    pub summary: &'static str,
+    pub(crate) keys: fn() -> Vec<Key>,
+    pub(crate) read: fn(&TableReader<'_>) -> Result<T, SceneError>,
+}
+
+/// The key that says which kind a table is, and the kinds there are.
+pub(crate) struct Tag<T: 'static> {
+    pub(crate) key: &'static str,
+    /// What the kinds are kinds of, for "no such …".
+    pub(crate) noun: &'static str,
+    pub(crate) doc: &'static str,
+    /// The kind where the key is left out; `None` if it must be there.
+    pub(crate) default: Option<&'static str>,
+    pub(crate) all: &'static [Registered<T>],
+}
+
+impl<T> Tag<T> {
+    /// The documentation of the key itself.
+    pub(crate) fn key(&self) -> Key {
+        Key::new(self.key, self.doc, self)
+    }
+
+    /// The first kind that has this key.
+    pub(crate) fn owner_of(&self, key: &str) -> Option<&'static Registered<T>> {
+        self.all.iter().find(|kind| (kind.keys)().iter().any(|of_kind| of_kind.key == key))
+    }
+
+    fn words(&self) -> Vec<&'static str> {
+        self.all.iter().map(|kind| kind.word).collect()
+    }
+}
+
+impl<T> Entry for Tag<T> {
+    type Value = &'static Registered<T>;
+
+    fn accepts(&self) -> Accepts {
+        Accepts::Words(self.words())
+    }
+
+    fn read(&self, value: &ValueReader<'_>) -> Result<Self::Value, SceneError> {
+        let index = read_word(value, self.noun, &self.words())?;
+        Ok(&self.all[index])
+    }
+
+    fn absent(&self) -> Option<Self::Value> {
+        self.all.iter().find(|kind| Some(kind.word) == self.default)
+    }
+
+    fn when_absent(&self) -> WhenAbsent {
+        match self.default {
+            Some(word) => WhenAbsent::Default(format!("{word:?}")),
+            None => WhenAbsent::Refused,
+        }
+    }
+}
+
+impl<T> std::fmt::Debug for Registered<T> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Registered").field("word", &self.word).finish_non_exhaustive()
+    }
+}

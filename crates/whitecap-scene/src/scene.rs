@@ -1,0 +1,194 @@
+//! A whole scene: read from TOML, checked, written back.
+
+use std::io::Read;
+use std::path::Path;
+use std::sync::Arc;
+
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use toml::de::DeTable;
+
+use crate::camera::Camera;
+use crate::error::SceneError;
+use crate::key::{Key, Seed, or};
+use crate::named;
+use crate::panorama::Panorama;
+use crate::reader::{Source, TableReader, did_you_mean, quoted_list};
+use crate::sea::Sea;
+use crate::sky::Sky;
+use crate::technique::{self, Technique};
+
+/// The largest scene file, bytes: a thousand times what a scene needs.
+const MAX_BYTES: u64 = 1 << 20;
+
+/// What a scene file says, checked: every number is in its range, and the sea can be built.
+///
+/// It serialises in the shape of the file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// How the water is drawn.
+    pub technique: Technique,
+    /// Where everything random begins. Equal scenes with equal seeds look alike on every machine.
+    pub seed: u64,
+    /// The sea.
+    pub sea: Sea,
+    /// The sky.
+    pub sky: Sky,
+    /// Where the scene is seen from.
+    pub camera: Camera,
+    /// The picture of a sky that is one, if the scene came from a file. It is not part of what the file says.
+    pub panorama: Option<Arc<Panorama>>,
+}
+
+/// Reads the scene that `name_or_path` says: a named scene, or else a file.
+///
+/// # Errors
+///
+/// If there is no such scene and no such file, or what is there cannot be used.
+pub fn open(name_or_path: &str) -> Result<Scene, SceneError> {
+    if let Some(named) = named::find(name_or_path) {
+        return Scene::from_toml(named.toml, &format!("{}.toml", named.name));
+    }
+    let path = Path::new(name_or_path);
+    let looks_like_name = path.extension().is_none() && path.components().count() <= 1;
+    if looks_like_name && !path.exists() {
+        let names: Vec<_> = named::ALL.iter().map(|scene| scene.name).collect();
+        return Err(SceneError::about_file(
+            name_or_path,
+            format!(
+                "no such scene; {}accepted: {}, or the path of a scene file",
+                did_you_mean(name_or_path, &names),
+                quoted_list(&names)
+            ),
+        ));
+    }
+    Scene::load(path)
+}
+
+impl Scene {
+    /// Reads a scene file and the picture of its sky, if it has one. Files that it names are relative to its
+    /// folder; the scene holds their whole paths.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be read, is longer than 1 MiB, or says something that is not accepted, or if the
+    /// picture of its sky cannot be read.
+    pub fn load(path: &Path) -> Result<Self, SceneError> {
+        let origin = path.display().to_string();
+        let text = text_of(path).map_err(|problem| SceneError::about_file(&origin, problem))?;
+        Self::read_text(&text, &origin, |scene| {
+            if let Some(file) = scene.sky.file_mut()
+                && let Ok(path) = std::path::absolute(path)
+                && let Some(folder) = path.parent()
+            {
+                *file = folder.join(&file);
+            }
+            if let Sky::Panorama(sky) = &scene.sky {
+                let picture =
+                    sky.load().map_err(|error| SceneError::about_key("sky.file", error.to_string()))?;
+                scene.panorama = Some(Arc::new(picture));
+            }
+            Ok(())
+        })
+    }
+
+    /// Reads the text of a scene file; `origin` is what errors call it. Paths stay as they are written.
+    ///
+    /// # Errors
+    ///
+    /// If the text is not TOML, longer than 1 MiB, or says something that is not accepted.
+    pub fn from_toml(text: &str, origin: &str) -> Result<Self, SceneError> {
+        Self::read_text(text, origin, |_| Ok(()))
+    }
+
+    /// Reads and checks `text`, and lets `finish` add what the text alone does not hold.
+    fn read_text(
+        text: &str,
+        origin: &str,
+        finish: impl FnOnce(&mut Self) -> Result<(), SceneError>,
+    ) -> Result<Self, SceneError> {
+        if text.len() as u64 > MAX_BYTES {
+            return Err(SceneError::about_file(origin, TOO_LONG));
+        }
+        let source = Source { origin, text };
+        let root = DeTable::parse(text).map_err(|error| source.syntax_error(&error))?;
+        let table = TableReader::root(&source, root.get_ref());
+        let mut scene = Self::read(&table)?;
+        scene.sea.build(scene.seed).map_err(|error| table.locate(error))?;
+        finish(&mut scene).map_err(|error| table.locate(error))?;
+        Ok(scene)
+    }
+
+    /// The scene as the text of a scene file, without comments. Reading it gives an equal scene.
+    ///
+    /// # Errors
+    ///
+    /// If the scene was changed to something that a scene file cannot say, such as a number out of its range.
+    pub fn to_toml(&self) -> Result<String, SceneError> {
+        let text =
+            toml::to_string(self).map_err(|error| SceneError::about_file("the scene", error.to_string()))?;
+        Self::from_toml(&text, "the scene")?;
+        Ok(text)
+    }
+
+    fn read(table: &TableReader<'_>) -> Result<Self, SceneError> {
+        table.only(Self::keys().iter().map(|key| key.key).chain(Self::tables()))?;
+        Ok(Self {
+            technique: Technique::read(table)?,
+            seed: table.read("seed", &SEED)?,
+            sea: Sea::read(&table.table("sea")?)?,
+            sky: Sky::read(&table.table("sky")?)?,
+            camera: Camera::read_checked(&table.table("camera")?)?,
+            panorama: None,
+        })
+    }
+
+    /// The keys at the top of the file.
+    pub(crate) fn keys() -> Vec<Key> {
+        vec![technique::TAG.key(), Key::new("seed", "Where everything random begins.", &SEED)]
+    }
+
+    /// The tables at the top of the file.
+    fn tables() -> impl Iterator<Item = &'static str> {
+        ["sea", "sky", "camera"].into_iter().chain(technique::ALL.iter().map(|technique| technique.word))
+    }
+}
+
+const SEED: crate::key::Or<Seed> = or(Seed, 0);
+
+const TOO_LONG: &str = "longer than a scene file may be; accepted: up to 1 MiB";
+
+/// The text of a file, or what stands against it.
+fn text_of(path: &Path) -> Result<String, String> {
+    let cannot = |error: std::io::Error| format!("cannot be read: {error}");
+    let file = std::fs::File::open(path).map_err(cannot)?;
+    if file.metadata().map_err(cannot)?.is_dir() {
+        return Err("this is a folder; accepted: a scene file".to_owned());
+    }
+    let mut bytes = Vec::new();
+    file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(cannot)?;
+    if bytes.len() as u64 > MAX_BYTES {
+        return Err(TOO_LONG.to_owned());
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let line = 1 + error.as_bytes()[..error.utf8_error().valid_up_to()]
+            .iter()
+            .filter(|&&byte| byte == b'\n')
+            .count();
+        format!("line {line} is not UTF-8 text; accepted: TOML, saved as UTF-8")
+    })
+}
+
+impl Serialize for Scene {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut scene = serializer.serialize_map(Some(6))?;
+        scene.serialize_entry("technique", self.technique.word())?;
+        scene.serialize_entry("seed", &self.seed)?;
+        scene.serialize_entry("sea", &self.sea)?;
+        match &self.technique {
+            Technique::Meshuggah(settings) => scene.serialize_entry(self.technique.word(), settings)?,
+        }
+        scene.serialize_entry("sky", &self.sky)?;
+        scene.serialize_entry("camera", &self.camera)?;
+        scene.end()
+    }
+}

@@ -1,0 +1,263 @@
+//! What a user reads when a scene is wrong: each message whole, to the letter.
+
+#![allow(clippy::unwrap_used, reason = "a helper of tests may fail as a test may")]
+
+use whitecap_scene::Scene;
+
+/// A scene with every table; the cases change one line of it.
+const SCENE: &str = r#"technique = "meshuggah"
+seed = 7
+
+[sea]
+tile_size_m = 100.0
+resolution = 64
+amplitudes = "deterministic"
+
+[[sea.system]]
+spectrum = "phillips"
+wind_speed_mps = 8.0
+from_deg = 250.0
+
+[meshuggah]
+tile_repeats = 4
+fresnel = "per-pixel"
+
+[sky]
+kind = "atmosphere"
+sun_elevation_deg = 18.0
+
+[camera]
+position_m = [0.0, 4.0, 0.0]
+look_at_m = [-200.0, 0.0, 50.0]
+"#;
+
+/// The message for the scene with `line` in place of the line that begins with `begins`.
+fn message(begins: &str, line: &str) -> String {
+    assert_eq!(SCENE.lines().filter(|l| l.starts_with(begins)).count(), 1, "{begins}");
+    let changed = |l| if str::starts_with(l, begins) { line } else { l };
+    let text = SCENE.lines().map(changed).collect::<Vec<_>>().join("\n");
+    message_for(&text)
+}
+
+fn message_for(text: &str) -> String {
+    Scene::from_toml(text, "storm.toml").unwrap_err().to_string()
+}
+
+#[test]
+fn the_scene_itself_is_good() {
+    Scene::from_toml(SCENE, "storm.toml").unwrap();
+}
+
+#[test]
+fn numbers_out_of_range() {
+    for (line, found) in [
+        ("wind_speed_mps = -3", "-3"),
+        ("wind_speed_mps = nan", "nan"),
+        ("wind_speed_mps = inf", "inf"),
+        ("wind_speed_mps = 1e999", "1e999"),
+        ("wind_speed_mps = 80.1", "80.1"),
+    ] {
+        assert_eq!(
+            message("wind_speed_mps", line),
+            format!(
+                "storm.toml:11: sea.system[0].wind_speed_mps = {found}: out of range; accepted: 0.1 to 60 m/s"
+            )
+        );
+    }
+    assert_eq!(
+        message("tile_repeats", "tile_repeats = 17"),
+        "storm.toml:15: meshuggah.tile_repeats = 17: out of range; accepted: 1 to 16"
+    );
+    for seed in ["-1", "9223372036854775808", "0xffff_ffff_ffff_ffff_ffff_ffff_ffff_ffff_ffff"] {
+        assert_eq!(
+            message("seed", &format!("seed = {seed}")),
+            format!("storm.toml:2: seed = {seed}: out of range; accepted: 0 to 9223372036854775807")
+        );
+    }
+    assert_eq!(
+        message("resolution", "resolution = 100"),
+        "storm.toml:6: sea.resolution = 100: not one of the accepted sizes: \
+         16, 32, 64, 128, 256, 512, 1024, 2048"
+    );
+    assert_eq!(
+        message("position_m", "position_m = [0, inf, 0]"),
+        "storm.toml:23: camera.position_m[1] = inf: out of range; accepted: -100 to 100000 m"
+    );
+}
+
+#[test]
+fn an_element_of_an_array_has_its_own_line() {
+    assert_eq!(
+        message("tile_repeats", "deep_color = [1,\n 0.1,\n 2]"),
+        "storm.toml:17: meshuggah.deep_color[2] = 2: out of range; accepted: 0 to 1"
+    );
+}
+
+#[test]
+fn wrong_types() {
+    assert_eq!(
+        message("wind_speed_mps", "wind_speed_mps = \"fresh\""),
+        "storm.toml:11: sea.system[0].wind_speed_mps = \"fresh\": found a string, wanted a number; \
+         accepted: 0.1 to 60 m/s"
+    );
+    assert_eq!(
+        message("resolution", "resolution = 64.0"),
+        "storm.toml:6: sea.resolution = 64.0: found a float, wanted an integer; \
+         accepted: 16, 32, 64, 128, 256, 512, 1024, 2048"
+    );
+    assert_eq!(
+        message("seed", "seed = 1979-05-27"),
+        "storm.toml:2: seed = 1979-05-27: found a date or time, wanted an integer; \
+         accepted: 0 to 9223372036854775807"
+    );
+    assert_eq!(
+        message("technique", "technique = 3"),
+        "storm.toml:1: technique = 3: found an integer, wanted a string; accepted: \"meshuggah\""
+    );
+    assert_eq!(
+        message("tile_repeats", "deep_color = [1, 0.1]"),
+        "storm.toml:15: meshuggah.deep_color = [1, 0.1]: found 2 elements, wanted 3; \
+         accepted: [red, green, blue], each 0 to 1"
+    );
+    assert_eq!(message_for("sea = 3"), "storm.toml:1: sea = 3: found an integer, wanted a table");
+    assert_eq!(
+        message("[[sea.system]]", "[sea.system]"),
+        "storm.toml:9: sea.system: found a table, wanted 1 to 8 tables [[sea.system]]"
+    );
+    assert_eq!(
+        message_for("sea.system = [3]"),
+        "storm.toml:1: sea.system[0] = 3: found an integer, wanted a table"
+    );
+}
+
+#[test]
+fn unknown_keys() {
+    assert_eq!(
+        message("tile_size_m", "tile_sise_m = 100.0"),
+        "storm.toml:5: sea.tile_sise_m: unknown key; did you mean \"tile_size_m\"? \
+         accepted here: amplitudes, choppiness, model, resolution, system, tile_size_m"
+    );
+    assert_eq!(
+        message("[meshuggah]", "[meshuga]"),
+        "storm.toml:14: meshuga: unknown key; did you mean \"meshuggah\"? \
+         accepted here: camera, meshuggah, sea, seed, sky, technique"
+    );
+    assert_eq!(
+        message("position_m", "\"two\\nlines\" = 1"),
+        "storm.toml:23: camera.\"two\\nlines\": unknown key; \
+         accepted here: look_at_m, position_m, vertical_fov_deg"
+    );
+}
+
+#[test]
+fn a_key_of_another_kind() {
+    assert_eq!(
+        message("kind", "kind = \"panorama\""),
+        "storm.toml:20: sky.sun_elevation_deg: only with kind = \"atmosphere\", but here kind = \"panorama\"; \
+         accepted here: exposure_ev, file, kind, yaw_deg"
+    );
+}
+
+#[test]
+fn unknown_words() {
+    assert_eq!(
+        message("technique", "technique = \"meshugah\""),
+        "storm.toml:1: technique = \"meshugah\": no such technique; did you mean \"meshuggah\"? \
+         accepted: \"meshuggah\""
+    );
+    assert_eq!(
+        message("spectrum", "spectrum = \"brown\""),
+        "storm.toml:10: sea.system[0].spectrum = \"brown\": no such spectrum; accepted: \"phillips\""
+    );
+    assert_eq!(
+        message("fresnel", "fresnel = \"PerPixel\""),
+        "storm.toml:16: meshuggah.fresnel = \"PerPixel\": no such choice; did you mean \"per-pixel\"? \
+         accepted: \"per-vertex-split\", \"per-pixel\""
+    );
+}
+
+#[test]
+fn missing_keys_and_tables() {
+    assert_eq!(
+        message("wind_speed_mps", ""),
+        "storm.toml:9: sea.system[0].wind_speed_mps: missing; required: 0.1 to 60 m/s"
+    );
+    assert_eq!(
+        message("look_at_m", ""),
+        "storm.toml:22: camera.look_at_m: missing; required: [x, y, z], x -10000000 to 10000000, \
+         y -10000000 to 10000000, z -10000000 to 10000000 m"
+    );
+    assert_eq!(message_for(""), "storm.toml: sea.system: missing; required: 1 to 8 tables [[sea.system]]");
+    assert_eq!(
+        message_for("\n[sea]\n"),
+        "storm.toml:2: sea.system: missing; required: 1 to 8 tables [[sea.system]]"
+    );
+    assert_eq!(
+        message_for("sea.system = []"),
+        "storm.toml:1: sea.system = []: found 0; accepted: 1 to 8 tables [[sea.system]]"
+    );
+}
+
+#[test]
+fn contradictions() {
+    assert_eq!(
+        message("tile_size_m", "tile_size_m = 1"),
+        "storm.toml:5: sea.tile_size_m = 1: a tile of 1 m with 64 samples a side carries only 0 % of the \
+         energy of wave system 0: its waves are too long; use a tile of at least 202 m"
+    );
+    assert_eq!(
+        message("from_deg", "from_deg = 250.0\nsmall_wave_cutoff_m = 9.5"),
+        "storm.toml:13: sea.system[0].small_wave_cutoff_m = 9.5: 9.5 is out of range for this sea; \
+         accepted: at least 0 and at most U²/g"
+    );
+    assert_eq!(
+        message("tile_repeats", "scattering_per_m = [1, 0.1, 0.1]"),
+        "storm.toml:14: meshuggah.extinction_per_m: less than scattering_per_m = [1.0, 0.1, 0.1]; \
+         accepted: extinction is scattering plus absorption"
+    );
+    assert_eq!(
+        message("look_at_m", "look_at_m = [0, 4, 0]"),
+        "storm.toml:24: camera.look_at_m = [0, 4, 0]: the same place as position_m; \
+         accepted: at least 0.001 m away from it"
+    );
+}
+
+#[test]
+fn text_that_is_not_toml() {
+    assert_eq!(
+        message("sun_elevation_deg", "sun_elevation_deg = 18.0.1"),
+        "storm.toml:20:25: not valid TOML: invalid float, expected nothing"
+    );
+    assert_eq!(
+        message("sun_elevation_deg", "sun_elevation_deg = 18.0\nsun_elevation_deg = 3"),
+        "storm.toml:21:1: not valid TOML: duplicate key"
+    );
+    assert_eq!(message_for("technique"), "storm.toml:1:10: not valid TOML: key with no value, expected `=`");
+}
+
+#[test]
+fn what_is_quoted_is_short() {
+    let long = "é".repeat(1000);
+    assert_eq!(
+        message("kind", &format!("kind = \"{long}\"")),
+        format!(
+            "storm.toml:19: sky.kind = \"{}…: no such sky; accepted: \"atmosphere\", \"panorama\"",
+            "é".repeat(59)
+        )
+    );
+    assert_eq!(
+        message_for(&"#".repeat((1 << 20) + 1)),
+        "storm.toml: longer than a scene file may be; accepted: up to 1 MiB"
+    );
+}
+
+#[test]
+fn the_parts_of_an_error() {
+    let text = SCENE.replace("seed = 7", "seed = -7");
+    let error = Scene::from_toml(&text, "storm.toml").unwrap_err();
+    assert_eq!(error.file(), Some("storm.toml"));
+    assert_eq!(error.line(), Some(2));
+    assert_eq!(error.key(), Some("seed"));
+    assert_eq!(error.found(), Some("-7"));
+    assert_eq!(error.problem(), "out of range; accepted: 0 to 9223372036854775807");
+}

@@ -1,0 +1,218 @@
+//! The reference lists exactly what the readers accept, and every range in it is the one that is checked.
+
+#![allow(clippy::unwrap_used, reason = "a helper of tests may fail as a test may")]
+
+use std::collections::BTreeSet;
+
+use proptest::prelude::*;
+use toml::{Table, Value};
+use whitecap_scene::reference::{Accepts, KeyDoc, WhenAbsent, markdown, reference};
+use whitecap_scene::{Scene, SceneError, named, sea, sky, technique};
+
+/// The default scene, changed so that the table of `doc` is there with the kind that has the key.
+fn scene_with_table_of(doc: &KeyDoc) -> Table {
+    let scene = whitecap_scene::open(named::DEFAULT).unwrap();
+    let mut scene: Table = scene.to_toml().unwrap().parse().unwrap();
+    if let Some((tag, word)) = doc.only_with {
+        let table = table_of(doc, &mut scene);
+        if table[tag].as_str() != Some(word) {
+            table.clear();
+            table.insert(tag.to_owned(), word.into());
+        }
+        for other in reference().filter(|other| other.table == doc.table && other.only_with == doc.only_with)
+        {
+            if other.when_absent == WhenAbsent::Refused && !table_of(doc, &mut scene).contains_key(other.key)
+            {
+                let value = values(&other.accepts).remove(0);
+                table_of(doc, &mut scene).insert(other.key.to_owned(), value);
+            }
+        }
+    }
+    scene
+}
+
+fn table_of<'a>(doc: &KeyDoc, scene: &'a mut Table) -> &'a mut Table {
+    match doc.table.as_str() {
+        "" => scene,
+        "sea.system[]" => scene["sea"]["system"][0].as_table_mut().unwrap(),
+        name => scene[name].as_table_mut().unwrap(),
+    }
+}
+
+fn read_with(doc: &KeyDoc, value: Value) -> Result<Scene, SceneError> {
+    let mut scene = scene_with_table_of(doc);
+    table_of(doc, &mut scene).insert(doc.key.to_owned(), value);
+    Scene::from_toml(&scene.to_string(), "any")
+}
+
+/// Some accepted values, with those at the bounds.
+fn values(accepts: &Accepts) -> Vec<Value> {
+    let integer = |n: u64| Value::Integer(n as i64);
+    let array = |triple: [f64; 3]| Value::from(triple.to_vec());
+    match accepts {
+        Accepts::Real { min, max, .. } => vec![(*min).into(), (*max).into()],
+        Accepts::Integer { min, max } => vec![integer(*min), integer(*max)],
+        Accepts::Integers(integers) => integers.iter().map(|n| integer(u64::from(*n))).collect(),
+        Accepts::Words(words) => words.iter().map(|word| Value::from(*word)).collect(),
+        Accepts::Colour { min, max, .. } => vec![array([*min; 3]), array([*max; 3])],
+        Accepts::Point { min, max } => vec![array(*min), array(*max)],
+        Accepts::File => vec!["sky.exr".into()],
+        _ => vec![],
+    }
+}
+
+/// Some values just outside.
+fn outside(accepts: &Accepts) -> Vec<Value> {
+    match accepts {
+        Accepts::Real { min, max, .. } => {
+            [min.next_down(), max.next_up(), f64::NAN, f64::INFINITY, -f64::INFINITY]
+                .map(Value::from)
+                .to_vec()
+        }
+        Accepts::Integer { max, .. } => vec![(-1).into(), (*max as i64).wrapping_add(1).into()],
+        Accepts::Integers(_) => vec![0.into(), 63.into(), i64::MAX.into()],
+        Accepts::Words(_) => vec!["".into(), "Word".into()],
+        Accepts::Colour { min, max, .. } => {
+            vec![vec![*min, *min, max.next_up()].into(), vec![min.next_down(), *min, *min].into()]
+        }
+        Accepts::Point { max: [x, y, z], .. } => vec![vec![*x, y.next_up(), *z].into()],
+        Accepts::File => vec!["".into(), "a\0b".into()],
+        _ => vec![],
+    }
+}
+
+/// Whether the error is about the value of this very key.
+fn is_about(error: &SceneError, doc: &KeyDoc) -> bool {
+    let table = doc.table.replace("[]", "[0]");
+    let key = if table.is_empty() { doc.key.to_owned() } else { format!("{table}.{}", doc.key) };
+    error.key().is_some_and(|found| found.starts_with(&key)) && !error.problem().contains("for this sea")
+}
+
+#[test]
+fn every_documented_value_is_accepted() {
+    for doc in reference() {
+        for value in values(&doc.accepts) {
+            // Other checks may refuse the whole: waves that no longer fit their tile, another kind's keys.
+            if let Err(error) = read_with(&doc, value) {
+                let fits =
+                    error.problem().contains("samples a side") || error.problem().contains("less than");
+                assert!(fits || !is_about(&error, &doc), "{error}");
+                assert!(!error.problem().starts_with("unknown key"), "{error}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_other_value_is_refused() {
+    for doc in reference() {
+        for value in outside(&doc.accepts).into_iter().chain([true.into(), Table::new().into()]) {
+            let error = read_with(&doc, value).unwrap_err();
+            assert!(is_about(&error, &doc), "{error}");
+        }
+    }
+}
+
+#[test]
+fn defaults_are_what_is_read_without_the_key() {
+    for doc in reference() {
+        let WhenAbsent::Default(default) = &doc.when_absent else { continue };
+        let mut scene = scene_with_table_of(&doc);
+        table_of(&doc, &mut scene).remove(doc.key);
+        let without = Scene::from_toml(&scene.to_string(), "without").unwrap();
+        let default: Table = format!("it = {default}").parse().unwrap();
+        assert_eq!(read_with(&doc, default["it"].clone()).unwrap(), without, "{}.{}", doc.table, doc.key);
+    }
+}
+
+#[test]
+fn the_readers_accept_no_other_keys() {
+    for doc in reference() {
+        let mut scene = scene_with_table_of(&doc);
+        let table = table_of(&doc, &mut scene);
+        table.insert("zzz".to_owned(), 1.into());
+        let kind =
+            |other: &KeyDoc| other.only_with.is_none_or(|(tag, word)| table[tag].as_str() == Some(word));
+        let mut documented: BTreeSet<_> = reference()
+            .filter(|other| other.table == doc.table && kind(other))
+            .map(|other| other.key.to_owned())
+            .collect();
+        if doc.table.is_empty() {
+            let tables = reference().filter(|other| !other.table.is_empty() && !other.table.contains('.'));
+            documented.extend(tables.map(|other| other.table));
+        }
+        let error = Scene::from_toml(&scene.to_string(), "any").unwrap_err();
+        let accepted = error.problem().split("accepted here: ").nth(1).unwrap().split(", ");
+        assert_eq!(accepted.map(str::to_owned).collect::<BTreeSet<_>>(), documented, "{}", doc.table);
+    }
+}
+
+#[test]
+fn every_key_says_what_it_is() {
+    for KeyDoc { table, key, doc, .. } in reference() {
+        assert!(doc.ends_with('.') && doc.len() > 10, "{table}.{key}: {doc:?}");
+    }
+}
+
+#[test]
+fn the_markdown_has_a_row_for_every_key() {
+    let text = markdown();
+    assert_eq!(text.lines().filter(|line| line.starts_with("| `")).count(), reference().count());
+    assert!(text.contains("\n## `[[sea.system]]` with `spectrum = \"phillips\"`\n"), "{text}");
+    assert!(
+        text.contains("| `wind_speed_mps` | a number: 0.1 to 60 m/s | required | The mean wind speed 10 m"),
+        "{text}"
+    );
+}
+
+#[test]
+fn words_are_unique() {
+    fn check(words: Vec<&str>) {
+        assert_eq!(words.iter().collect::<BTreeSet<_>>().len(), words.len(), "{words:?}");
+    }
+    check(technique::ALL.iter().map(|it| it.word).collect());
+    check(sea::MODELS.iter().map(|it| it.word).collect());
+    check(sea::system::SPECTRA.iter().map(|it| it.word).collect());
+    check(sky::ALL.iter().map(|it| it.word).collect());
+    check(named::ALL.iter().map(|it| it.name).collect());
+    // A technique's table stands beside these.
+    for technique in technique::ALL {
+        assert!(!["technique", "seed", "sea", "sky", "camera"].contains(&technique.word));
+    }
+}
+
+/// A random accepted value.
+fn any_value(accepts: &Accepts) -> BoxedStrategy<Value> {
+    let between = |min: f64, max: f64| (0.0..=1.0).prop_map(move |part| min + (max - min) * part);
+    match accepts {
+        Accepts::Real { min, max, .. } => between(*min, *max).prop_map(Value::from).boxed(),
+        Accepts::Integer { min, max } => {
+            (*min..=*max).prop_map(|integer| Value::Integer(integer as i64)).boxed()
+        }
+        Accepts::Colour { min, max, .. } => {
+            prop::collection::vec(between(*min, *max), 3).prop_map(Value::from).boxed()
+        }
+        Accepts::Point { min: [a, b, c], max: [x, y, z] } => {
+            (between(*a, *x), between(*b, *y), between(*c, *z))
+                .prop_map(|(x, y, z)| vec![x, y, z].into())
+                .boxed()
+        }
+        accepts => match values(accepts) {
+            values if values.is_empty() => Just(Value::Boolean(false)).boxed(),
+            values => prop::sample::select(values).boxed(),
+        },
+    }
+}
+
+proptest! {
+    #[test]
+    fn what_is_read_is_written_and_read_again(
+        (doc, value) in prop::sample::select(reference().collect::<Vec<_>>())
+            .prop_flat_map(|doc| { let value = any_value(&doc.accepts); (Just(doc), value) })
+    ) {
+        if let Ok(scene) = read_with(&doc, value) {
+            let text = scene.to_toml().unwrap();
+            prop_assert_eq!(Scene::from_toml(&text, "again").unwrap(), scene);
+        }
+    }
+}
