@@ -1,1 +1,31 @@
-//! Placeholder.
+//! The water on screen: whitecap's techniques on wgpu.
+//!
+//! [`Water`] is water for your own frame, in wgpu's middleware pattern. [`picture::render_picture`]
+//! makes a picture without a window. The folders are the parts of a frame:
+//!
+//! - [`gpu`]: a device without a window, errors, read-back;
+//! - [`environment`]: the light around, as a prefiltered cube map;
+//! - [`surface`]: how a wave model reaches the GPU;
+//! - [`geometry`]: the meshes it is drawn on;
+//! - [`technique`]: the ways to draw it;
+//! - [`pass`]: what techniques and hosts share, such as the sky;
+//! - [`shader_lib`]: the shaders, linked from WESL when the crate is built.
+
+pub mod environment;
+pub mod geometry;
+pub mod gpu;
+pub mod pass;
+pub mod picture;
+pub mod shader_lib;
+pub mod surface;
+mod target;
+pub mod technique;
+mod uniforms;
+mod view;
+mod water;
+
+pub use gpu::{AdapterDescription, Gpu, RenderError, list_adapters};
+pub use target::TargetFormat;
+pub use uniforms::MAX_VIEWS;
+pub use view::View;
+pub use water::Water;

@@ -1,0 +1,24 @@
+//! Links every WESL root into plain WGSL under `OUT_DIR`, one file per root.
+
+/// Module path of each root, the name it is included by (`shader_lib::ALL` lists the same names) and
+/// the features that it is linked with.
+const ROOTS: &[(&str, &str, &[&str])] = &[
+    ("package::pass::sky", "sky", &[]),
+    ("package::technique::meshuggah::meshuggah", "meshuggah", &[]),
+    ("package::technique::meshuggah::meshuggah", "meshuggah_per_sample", &["per_sample"]),
+    ("package::technique::meshuggah::vertices", "meshuggah_vertices", &[]),
+    ("package::shader_lib::twins", "twins", &[]),
+];
+
+fn main() {
+    println!("cargo::rerun-if-changed=src");
+    for (root, name, features) in ROOTS {
+        let mut linker = wesl::Wesl::new("src");
+        linker.set_feature("per_sample", false);
+        for feature in *features {
+            linker.set_feature(feature, true);
+        }
+        let path = root.parse().unwrap_or_else(|e| panic!("{root} is no module path: {e}"));
+        linker.build_artifact(&path, name);
+    }
+}

@@ -1,0 +1,262 @@
+//! Sky and light around the water, as every technique gets it.
+//!
+//! Whatever the scene names (an atmosphere that is computed, a panorama that was photographed)
+//! becomes an [`Environment`]: a prefiltered cube map, and the sun where it is known apart.
+
+mod atmosphere;
+mod clouds;
+mod cube;
+mod display;
+
+pub use atmosphere::Atmosphere;
+pub use cube::{CubeMap, FACE_SIZE};
+pub use display::{display_from_linear, linear_from_display};
+
+use crate::RenderError;
+use clouds::Clouds;
+use display::exposed;
+use glam::{DVec3, Vec3};
+use std::f32::consts::PI;
+use whitecap_scene::panorama::Panorama;
+use whitecap_scene::sky::{Atmosphere as AtmosphereSky, PanoramaSky};
+use whitecap_scene::{Scene, Sky};
+
+/// Mean radiance of the sky that exposure 0 EV maps to: a little above middle grey, so that the sky
+/// keeps its colour and the sun's surroundings alone run into white.
+const KEY: f32 = 0.2;
+
+/// Mean luminance of the sky, of the sun's irradiance, from which on it is day: a sun some degrees high.
+const DAYLIGHT: f32 = 0.02;
+
+/// How much of the way exposure follows the light below that.
+const ADAPTATION: f32 = 0.7;
+
+/// The light around the water, ready for upload.
+pub struct Environment {
+    /// Display-referred radiance from all directions, values above 1 included.
+    pub cube: CubeMap,
+    /// The sun's disc, where it is known apart from the map.
+    pub sun: Option<Sun>,
+    /// Light that falls on a level sea, sun and sky together, linear.
+    pub irradiance: Vec3,
+    /// Display brightness of the sky against a day's: 1 by day, less from sunset on. Colours that a scene
+    /// gives as they look by day are dimmed by it.
+    pub daylight: f32,
+}
+
+/// The sun's disc as seen from the water.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sun {
+    /// Unit vector towards its centre.
+    pub toward: Vec3,
+    /// Radiance of the disc in the cube map's units, linear.
+    pub radiance: Vec3,
+}
+
+/// The sun's angular radius seen from Earth, radians (0.2666°).
+pub const SUN_RADIUS_RAD: f32 = 0.004_653;
+
+impl Environment {
+    /// Computes the light of a scene's sky. Takes some tenths of a second on two cores.
+    ///
+    /// # Errors
+    ///
+    /// When the scene has not read its panorama and the file cannot be read now.
+    pub fn new(scene: &Scene) -> Result<Environment, RenderError> {
+        match (&scene.sky, &scene.panorama) {
+            (Sky::Atmosphere(settings), _) => Ok(Environment::of_atmosphere(settings, scene.seed)),
+            (Sky::Panorama(settings), Some(picture)) => Ok(Environment::of_panorama(settings, picture)),
+            (Sky::Panorama(settings), None) => Ok(Environment::of_panorama(settings, &settings.load()?)),
+            _ => Err(RenderError::Unsupported { what: "this kind of sky".into() }),
+        }
+    }
+
+    fn of_atmosphere(settings: &AtmosphereSky, seed: u64) -> Environment {
+        let toward_sun = toward(settings.sun_azimuth_deg, settings.sun_elevation_deg);
+        let air = Atmosphere::new(toward_sun, settings.haze as f32);
+        let clouds = Clouds::new(&air, settings.cloud_cover as f32, seed);
+        // Eyes and cameras follow the light of evening only part of the way down.
+        let light = air.mean_radiance().dot(LUMINANCE).max(1e-9);
+        let dimming = (light / DAYLIGHT).min(1.0).powf(1.0 - ADAPTATION);
+        let exposure = exposure(air.mean_radiance(), settings.exposure_ev) * dimming;
+        let sun = Sun { toward: toward_sun, radiance: air.sun_radiance() * exposure };
+        let sun = (sun.radiance.max_element() > 0.0).then_some(sun);
+        let sky = |direction: Vec3| {
+            let light = if direction.y < 0.0 {
+                below_horizon(direction.y, air.radiance(direction), air.mean_radiance())
+            } else {
+                clouds.over(direction, air.radiance(direction))
+            };
+            light * exposure
+        };
+        let from_sun = air.sun_transmittance(0.0) * toward_sun.y.max(0.0);
+        Environment {
+            cube: CubeMap::bake(|d| expose(sky(d)), sun.as_ref(), 1),
+            sun,
+            irradiance: (from_sun + PI * air.mean_radiance()) * exposure,
+            daylight: display_from_linear(KEY * dimming) / display_from_linear(KEY),
+        }
+    }
+
+    fn of_panorama(settings: &PanoramaSky, picture: &Panorama) -> Environment {
+        let yaw = glam::DQuat::from_rotation_y(settings.yaw_deg.to_radians());
+        let radiance = |d: Vec3| Vec3::from(picture.sample(yaw * d.as_dvec3()));
+        let (all, without_sun) = means_of_upper_half(&radiance);
+        let exposure = exposure(without_sun, settings.exposure_ev);
+        // Two by two samples a texel: panoramas are finer than the cube, and the sun is small.
+        let cube = CubeMap::bake(|d| expose(radiance(d) * exposure), None, 2);
+        Environment { cube, sun: None, irradiance: PI * all * exposure, daylight: 1.0 }
+    }
+}
+
+/// Unit vector towards a nautical bearing and elevation (x east, y up, z south).
+fn toward(azimuth_deg: f64, elevation_deg: f64) -> Vec3 {
+    let (azimuth, elevation) = (azimuth_deg.to_radians(), elevation_deg.to_radians());
+    DVec3::new(azimuth.sin() * elevation.cos(), elevation.sin(), -azimuth.cos() * elevation.cos()).as_vec3()
+}
+
+fn exposure(mean: Vec3, ev: f64) -> f32 {
+    let luminance = mean.dot(LUMINANCE).max(1e-9);
+    KEY / luminance * (ev as f32).exp2()
+}
+
+fn expose(radiance: Vec3) -> Vec3 {
+    Vec3::from(radiance.to_array().map(exposed))
+}
+
+/// Rec. 709 luminance weights.
+const LUMINANCE: Vec3 = Vec3::new(0.2126, 0.7152, 0.0722);
+
+/// What a reflection finds that points under the horizon: the flank of another wave. It mirrors the middle of
+/// the sky rather than its edge, and less of it the further down one looks.
+fn below_horizon(y: f32, horizon: Vec3, sky: Vec3) -> Vec3 {
+    let down = y.abs();
+    let flank = Vec3::new(0.75, 0.85, 0.95) * sky * (1.0 - 0.6 * down.min(1.0));
+    horizon.lerp(flank, 1.0 - (1.0 + 7.0 * down).powi(-2))
+}
+
+/// Cosine-weighted mean radiance of the upper half: of all of it, and without its brightest fiftieth,
+/// which holds the sun.
+fn means_of_upper_half(radiance: &dyn Fn(Vec3) -> Vec3) -> (Vec3, Vec3) {
+    const RINGS: u32 = 24;
+    const SPOKES: u32 = 96;
+    let mut samples = Vec::with_capacity((RINGS * SPOKES) as usize);
+    for ring in 0..RINGS {
+        // Equal steps of sin² give every sample the same cosine-weighted solid angle.
+        let sin = ((ring as f32 + 0.5) / RINGS as f32).sqrt();
+        let cos = (1.0 - sin * sin).sqrt();
+        for spoke in 0..SPOKES {
+            let (s, c) = (std::f32::consts::TAU * spoke as f32 / SPOKES as f32).sin_cos();
+            samples.push(radiance(Vec3::new(sin * c, cos, sin * s)));
+        }
+    }
+    samples.sort_by(|a, b| a.dot(LUMINANCE).total_cmp(&b.dot(LUMINANCE)));
+    let mean = |s: &[Vec3]| s.iter().sum::<Vec3>() / s.len() as f32;
+    (mean(&samples), mean(&samples[..samples.len() * 98 / 100]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of_toml(sky: &str) -> Scene {
+        let base = whitecap_scene::named::find("meshuggah").unwrap().toml;
+        let without = &base[..base.find("[sky]").unwrap()];
+        let camera = &base[base.find("[camera]").unwrap()..];
+        Scene::from_toml(&format!("{without}[sky]\n{sky}\n{camera}"), "test.toml").unwrap()
+    }
+
+    /// Display value (green) of a level of the cube where a direction falls.
+    fn seen(environment: &Environment, direction: Vec3, level: usize) -> f32 {
+        let size = FACE_SIZE >> level;
+        let (face, x, y) = cube::locate(direction, size);
+        environment.cube.levels[level][(face * size as usize + y as usize) * size as usize + x as usize][1]
+            .to_f32()
+    }
+
+    #[test]
+    fn bearings_run_clockwise_from_north() {
+        assert!((toward(0.0, 0.0) - Vec3::NEG_Z).length() < 1e-6);
+        assert!((toward(90.0, 0.0) - Vec3::X).length() < 1e-6);
+        assert!((toward(180.0, 30.0) - Vec3::new(0.0, 0.5, 0.866_025_4)).length() < 1e-6);
+    }
+
+    #[test]
+    fn the_sun_is_where_the_scene_says_and_keeps_its_range() {
+        let environment = Environment::new(&of_toml(
+            "sun_azimuth_deg = 120.0\nsun_elevation_deg = 25.0\ncloud_cover = 0.0",
+        ))
+        .unwrap();
+        let sun = environment.sun.unwrap();
+        assert!((sun.toward - toward(120.0, 25.0)).length() < 1e-6);
+        assert!(seen(&environment, sun.toward, 0) > 20.0);
+        for (azimuth, elevation) in [(115.0, 25.0), (120.0, 30.0), (300.0, 25.0)] {
+            assert!(seen(&environment, toward(azimuth, elevation), 0) <= 1.0);
+        }
+    }
+
+    /// From noon to after sunset the sky is neither black nor blown out, and stops of exposure double it.
+    #[test]
+    fn exposure_holds_at_every_height_of_the_sun() {
+        // The median leaves out a direction that happens to meet the sun or a cloud.
+        let typical = |environment: &Environment| {
+            let mut values = [20.0, 90.0, 160.0, 230.0, 300.0].map(|a| seen(environment, toward(a, 35.0), 0));
+            values.sort_by(f32::total_cmp);
+            values[2]
+        };
+        for elevation in [80.0, 45.0, 20.0, 5.0, 0.5, -4.0] {
+            let environment =
+                Environment::new(&of_toml(&format!("sun_elevation_deg = {elevation:?}"))).unwrap();
+            let typical = typical(&environment);
+            assert!((0.2..0.95).contains(&typical), "{typical} with the sun at {elevation}°");
+            assert_eq!(environment.sun.is_some(), elevation > -1.0);
+        }
+        let dark = Environment::new(&of_toml("exposure_ev = -2.0\ncloud_cover = 0.0")).unwrap();
+        let darker = Environment::new(&of_toml("exposure_ev = -3.0\ncloud_cover = 0.0")).unwrap();
+        let at = |e: &Environment| linear_from_display(seen(e, Vec3::Y, 0));
+        assert!((at(&dark) / at(&darker) - 2.0).abs() < 0.02);
+        assert!((dark.irradiance.y / darker.irradiance.y - 2.0).abs() < 1e-3);
+    }
+
+    /// The irradiance that colours the water is that of the sky that it mirrors, sun included.
+    #[test]
+    fn irradiance_is_that_of_the_map() {
+        // Dark enough that no part of the sky meets the shoulder.
+        let environment =
+            Environment::new(&of_toml("exposure_ev = -6.0\ncloud_cover = 0.0\nsun_elevation_deg = 40.0"))
+                .unwrap();
+        let size = FACE_SIZE as usize;
+        let mut sum = 0.0_f64;
+        for (i, texel) in environment.cube.levels[0].iter().enumerate() {
+            let place = glam::Vec2::new((i % size) as f32 + 0.5, (i / size % size) as f32 + 0.5);
+            let cos = cube::direction(i / (size * size), place, FACE_SIZE).y;
+            let across = place * (2.0 / size as f32) - 1.0;
+            let solid_angle = (2.0 / size as f32).powi(2) / (1.0 + across.length_squared()).powf(1.5);
+            sum += f64::from(linear_from_display(texel[1].to_f32()) * solid_angle * cos.max(0.0));
+        }
+        assert!(
+            (sum / f64::from(environment.irradiance.y) - 1.0).abs() < 0.04,
+            "{sum} {}",
+            environment.irradiance
+        );
+    }
+
+    /// The middle of a panorama is north; `yaw_deg` turns it clockwise.
+    #[test]
+    fn panoramas_turn_with_the_compass() {
+        let (width, height) = (64, 32);
+        let mut pixels = vec![[0.2; 3]; width * height];
+        for row in pixels.chunks_mut(width) {
+            row[width / 2 - 2..width / 2 + 2].fill([0.6; 3]);
+        }
+        let picture = Panorama { width, height, pixels, repaired: 0 };
+        for (yaw_deg, bearing) in [(0.0, 0.0), (90.0, 90.0), (-120.0, 240.0)] {
+            let settings = PanoramaSky { file: "sky.hdr".into(), yaw_deg, exposure_ev: 0.0 };
+            let environment = Environment::of_panorama(&settings, &picture);
+            let bright = seen(&environment, toward(bearing, 5.0), 0);
+            for other in [45.0, 135.0, 180.0, 300.0] {
+                assert!(bright > 1.2 * seen(&environment, toward(other, 5.0), 0), "yaw {yaw_deg}");
+            }
+        }
+    }
+}

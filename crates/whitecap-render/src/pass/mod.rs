@@ -1,0 +1,5 @@
+//! Passes that techniques and hosts share.
+
+mod sky;
+
+pub use sky::SkyPass;

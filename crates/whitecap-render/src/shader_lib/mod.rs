@@ -1,0 +1,48 @@
+//! The shaders as linked WGSL, and the WESL modules that they share.
+//!
+//! Each function in a shared module is the twin of a Rust function of the same name; `twins.wesl` runs
+//! them all on a buffer of inputs so that a test can hold one against the other.
+
+#[cfg(test)]
+pub(crate) mod layout;
+
+/// A linked shader.
+#[derive(Clone, Copy, Debug)]
+pub struct Shader {
+    /// Its name, also its label on the device.
+    pub name: &'static str,
+    /// Plain WGSL.
+    pub wgsl: &'static str,
+}
+
+macro_rules! shaders {
+    ($($(#[$doc:meta])* $id:ident = $name:literal;)*) => {
+        $($(#[$doc])* pub const $id: Shader =
+            Shader { name: $name, wgsl: include_str!(concat!(env!("OUT_DIR"), "/", $name, ".wgsl")) };)*
+        /// Every shader of the crate; tests validate each of them.
+        pub const ALL: &[Shader] = &[$($id),*];
+    };
+}
+
+shaders! {
+    /// The sky behind everything.
+    SKY = "sky";
+    /// The Meshuggah ocean.
+    MESHUGGAH = "meshuggah";
+    /// The same, shaded once for each sample instead of once for each pixel.
+    MESHUGGAH_PER_SAMPLE = "meshuggah_per_sample";
+    /// The Meshuggah ocean's vertex stage as a compute shader, for reading its results back.
+    MESHUGGAH_VERTICES = "meshuggah_vertices";
+    /// Every shared function on a buffer of inputs.
+    TWINS = "twins";
+}
+
+impl Shader {
+    /// The module on a device.
+    pub fn module(&self, device: &wgpu::Device) -> wgpu::ShaderModule {
+        device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(self.name),
+            source: wgpu::ShaderSource::Wgsl(self.wgsl.into()),
+        })
+    }
+}

@@ -1,0 +1,68 @@
+//! What the water is drawn into.
+
+/// The formats of the pass that the water joins, and the sense of its depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TargetFormat {
+    /// The colour attachment. Into a format that stores linear light (`…Srgb` or float) the
+    /// display-referred values of the classics are decoded first, so that they look the same.
+    pub color: wgpu::TextureFormat,
+    /// The depth attachment.
+    pub depth: wgpu::TextureFormat,
+    /// [`wgpu::CompareFunction::Greater`] for a reversed depth, `Less` for the usual one.
+    pub depth_compare: wgpu::CompareFunction,
+    /// Samples per pixel, 1 or 4.
+    pub sample_count: u32,
+    /// Whether the water is shaded for each sample instead of each pixel. It smooths the sun's glints
+    /// as multisampling alone smooths edges, at four times the cost: for stills.
+    pub sample_shading: bool,
+}
+
+impl Default for TargetFormat {
+    /// Raw 8-bit colour and a reversed 32-bit depth, one sample.
+    fn default() -> Self {
+        TargetFormat {
+            color: wgpu::TextureFormat::Rgba8Unorm,
+            depth: wgpu::TextureFormat::Depth32Float,
+            depth_compare: wgpu::CompareFunction::Greater,
+            sample_count: 1,
+            sample_shading: false,
+        }
+    }
+}
+
+impl TargetFormat {
+    /// Whether what a shader writes is taken as linear light.
+    pub fn stores_linear_light(&self) -> bool {
+        use wgpu::TextureFormat as F;
+        self.color.is_srgb() || matches!(self.color, F::Rgba16Float | F::Rgba32Float | F::Rg11b10Ufloat)
+    }
+
+    /// The depth of what is infinitely far away.
+    pub fn far_depth(&self) -> f32 {
+        if self.is_reversed() { 0.0 } else { 1.0 }
+    }
+
+    pub(crate) fn is_reversed(&self) -> bool {
+        matches!(self.depth_compare, wgpu::CompareFunction::Greater | wgpu::CompareFunction::GreaterEqual)
+    }
+
+    pub(crate) fn depth_state(&self, write: bool) -> wgpu::DepthStencilState {
+        // The sky lies at the far depth itself, where a strict comparison would reject it.
+        let compare = match (write, self.is_reversed()) {
+            (true, _) => self.depth_compare,
+            (false, true) => wgpu::CompareFunction::GreaterEqual,
+            (false, false) => wgpu::CompareFunction::LessEqual,
+        };
+        wgpu::DepthStencilState {
+            format: self.depth,
+            depth_write_enabled: Some(write),
+            depth_compare: Some(compare),
+            stencil: wgpu::StencilState::default(),
+            bias: wgpu::DepthBiasState::default(),
+        }
+    }
+
+    pub(crate) fn multisample(&self) -> wgpu::MultisampleState {
+        wgpu::MultisampleState { count: self.sample_count, ..Default::default() }
+    }
+}

@@ -1,0 +1,111 @@
+//! The water in a host's own frame.
+
+use crate::environment::Environment;
+use crate::gpu::checked;
+use crate::pass::SkyPass;
+use crate::technique::{self, Build, Frame, Technique};
+use crate::uniforms::Shared;
+use crate::{RenderError, TargetFormat, View};
+use whitecap_scene::Scene;
+
+/// A sea, its sky and the technique that draws it, in wgpu's middleware pattern: the host owns device,
+/// frame and pass, and calls [`Water::prepare`] before its pass and [`Water::draw`] inside it.
+///
+/// ```no_run
+/// # fn frame(device: &wgpu::Device, queue: &wgpu::Queue, pass_of: impl Fn(&mut wgpu::CommandEncoder) -> wgpu::RenderPass<'static>) -> Result<(), Box<dyn std::error::Error>> {
+/// use whitecap_render::{TargetFormat, View, Water};
+/// let scene = whitecap_scene::open("meshuggah")?;
+/// let mut water = Water::new(device, queue, &scene, TargetFormat::default())?;
+/// let view = View::of_camera(&scene.camera, [1280, 720]);
+///
+/// let mut encoder = device.create_command_encoder(&Default::default());
+/// water.prepare(device, queue, &mut encoder, &[view], 12.5)?;
+/// let mut pass = pass_of(&mut encoder); // the host's own pass, with a depth attachment
+/// // … the host's own draws …
+/// water.draw(&mut pass, 0);
+/// water.draw_sky(&mut pass, 0); // unless the host has a sky of its own
+/// # Ok(()) }
+/// ```
+pub struct Water {
+    shared: Shared,
+    sky: SkyPass,
+    technique: Box<dyn Technique>,
+}
+
+impl Water {
+    /// Computes the scene's sky and builds its technique for passes of `target`'s format.
+    ///
+    /// # Errors
+    ///
+    /// When the scene's sea cannot be built or the device cannot hold what it needs.
+    pub fn new(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        scene: &Scene,
+        target: TargetFormat,
+    ) -> Result<Water, RenderError> {
+        Water::with_environment(device, queue, scene, &Environment::new(scene)?, target)
+    }
+
+    /// As [`Water::new`] with an environment that was made before, for hosts that share one or compute
+    /// it on a thread of their own.
+    ///
+    /// # Errors
+    ///
+    /// As [`Water::new`].
+    pub fn with_environment(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        scene: &Scene,
+        environment: &Environment,
+        target: TargetFormat,
+    ) -> Result<Water, RenderError> {
+        checked(device, "the water", || {
+            let shared = Shared::new(device, queue, environment, target);
+            let sky = SkyPass::new(device, &shared);
+            let technique = technique::build(&Build {
+                device,
+                queue,
+                scene,
+                shared: &shared,
+                irradiance: environment.irradiance,
+                daylight: environment.daylight,
+                sun_cos: environment.sun.map_or(1.0, |sun| sun.toward.y.max(0.0)),
+            })?;
+            Ok(Water { shared, sky, technique })
+        })
+    }
+
+    /// Brings the sea to `time_s` and sets up each of `views`. The same time and views give the same
+    /// picture, whatever was drawn before.
+    ///
+    /// Call it once a frame, before the pass; its uploads take effect with the next submission.
+    ///
+    /// # Errors
+    ///
+    /// [`RenderError::LimitExceeded`] for more than [`crate::MAX_VIEWS`] views, or what the device refuses.
+    pub fn prepare(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        views: &[View],
+        time_s: f64,
+    ) -> Result<(), RenderError> {
+        self.shared.write_views(queue, views)?;
+        self.technique.prepare(&mut Frame { device, queue, encoder, views, time_s })
+    }
+
+    /// Draws the water as `views[view]` of the last [`Water::prepare`] sees it, with depth test and
+    /// depth write. It changes the pass's pipeline, bind groups 0 to 2, vertex buffer 0 and the index
+    /// buffer.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
+        self.shared.bind(pass, view);
+        self.technique.draw(pass, view);
+    }
+
+    /// Draws the scene's sky behind everything that is in the pass already.
+    pub fn draw_sky(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
+        self.sky.draw(pass, &self.shared, view);
+    }
+}
