@@ -1,0 +1,246 @@
+//! `whitecap render`: one picture of one scene.
+
+use crate::failure::Failure;
+use crate::stages::{StageTime, Stages, milliseconds};
+use crate::whole_file::WholeFile;
+use crate::{memory, png, stdout};
+use anyhow::Context;
+use clap::ValueHint;
+use clap::builder::{PathBufValueParser, TypedValueParser};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Instant;
+use whitecap_render::picture::{PictureRequest, render_picture};
+use whitecap_render::{AdapterDescription, Gpu};
+use whitecap_scene::named;
+
+const EXAMPLES: &str = "\
+Examples:
+  whitecap render                                  the default scene, in the current folder
+  whitecap render meshuggah -o sea.png --time 3.5  another moment
+  whitecap render storm.toml --size 1920x1080      your own scene file, as storm.png
+  whitecap render --adapter llvmpipe --json        on one adapter, with timings for programs
+
+Same scene, same seed, same time, same adapter: same picture. The file is written whole or not at all, and \
+an existing one is replaced. `whitecap scenes` lists the named scenes, `whitecap adapters` the adapters.";
+
+/// The moments that a picture may show; beyond them, 32-bit phases on the GPU lose their meaning.
+const MAX_TIME_S: f64 = 1e6;
+
+/// The largest seed that a scene file can say: TOML's integers have a sign.
+const MAX_SEED: u64 = i64::MAX as u64;
+
+/// Render one picture of a scene, as PNG
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Render {
+    /// A named scene, or the path of a scene file
+    #[arg(default_value = named::DEFAULT, value_hint = ValueHint::FilePath)]
+    scene: String,
+
+    /// The picture's file, ending in .png; its folder must exist [default: SCENE's name with .png, in the
+    /// current folder]
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath,
+        value_parser = PathBufValueParser::new().try_map(png_path))]
+    output: Option<PathBuf>,
+
+    /// Width and height in pixels; the adapter sets the largest
+    #[arg(long, value_name = "WxH", default_value = "1280x720", allow_hyphen_values = true,
+        value_parser = parse_size)]
+    size: Size,
+
+    /// The moment to show, in seconds from the scene's start: from -1000000 to 1000000
+    #[arg(long, value_name = "SECONDS", default_value = "0", allow_hyphen_values = true,
+        value_parser = parse_time_s)]
+    time: f64,
+
+    /// The seed of the sea's random phases, in place of the scene's
+    #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u64).range(..=MAX_SEED))]
+    seed: Option<u64>,
+
+    /// Part of the name, backend or driver of the adapter to draw with [default: the fastest kind]
+    #[arg(long, value_name = "NAME", value_hint = ValueHint::Other)]
+    adapter: Option<String>,
+
+    /// Print the result as JSON: scene, picture, size, time, seed, adapter, stages, total, peak memory
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+impl Render {
+    pub(crate) fn run(&self, started: Instant) -> Result<ExitCode, Failure> {
+        let mut stages = Stages::new(self.json);
+        stages.begin("scene");
+        let path = self.output.clone().unwrap_or_else(|| default_output(&self.scene));
+        let mut scene = whitecap_scene::open(&self.scene)?;
+        scene.seed = self.seed.unwrap_or(scene.seed);
+        let file = WholeFile::plan(&path)?;
+
+        stages.begin("adapter");
+        let gpu = Gpu::open(self.adapter.as_deref())?;
+
+        let request = PictureRequest { width: self.size.width, height: self.size.height, time_s: self.time };
+        let picture = render_picture(&gpu, &scene, &request, &mut |stage| stages.begin(stage.label()))?;
+
+        stages.begin("png");
+        let bytes = png::encode(&picture).context("cannot encode the picture").map_err(Failure::Machine)?;
+        stages.begin("file");
+        file.write(&bytes)?;
+
+        let report = Report {
+            scene: &self.scene,
+            picture: path.display().to_string(),
+            width: picture.width,
+            height: picture.height,
+            time_s: self.time,
+            seed: scene.seed,
+            adapter: &gpu.adapter,
+            stages: stages.finish(),
+            total_ms: milliseconds(started.elapsed()),
+            peak_memory_mib: memory::peak_mib(),
+        };
+        if self.json { stdout::write_json(&report) } else { stdout::write(report.for_people().as_bytes()) }?;
+        Ok(ExitCode::SUCCESS)
+    }
+}
+
+/// What became of the request.
+#[derive(serde::Serialize)]
+struct Report<'a> {
+    scene: &'a str,
+    picture: String,
+    width: u32,
+    height: u32,
+    time_s: f64,
+    seed: u64,
+    adapter: &'a AdapterDescription,
+    stages: Vec<StageTime>,
+    /// From the start of the process.
+    total_ms: f64,
+    peak_memory_mib: Option<f64>,
+}
+
+impl Report<'_> {
+    fn for_people(&self) -> String {
+        let mut text = String::new();
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{}", self.picture);
+        let _ = writeln!(
+            text,
+            "  {} × {} pixels of {} at {} s, seed {}",
+            self.width, self.height, self.scene, self.time_s, self.seed
+        );
+        let _ = writeln!(text, "  on {}", self.adapter);
+        let width = self.stages.iter().map(|stage| stage.name.len()).max().unwrap_or(0);
+        for StageTime { name, ms } in &self.stages {
+            let _ = writeln!(text, "  {name:width$} {ms:8.1} ms");
+        }
+        let _ = write!(text, "  {:width$} {:8.1} ms", "total", self.total_ms);
+        if let Some(mib) = self.peak_memory_mib {
+            let _ = write!(text, ", at most {mib:.0} MiB of memory");
+        }
+        text.push('\n');
+        text
+    }
+}
+
+/// A picture's size in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Size {
+    width: u32,
+    height: u32,
+}
+
+fn parse_size(text: &str) -> Result<Size, String> {
+    let side = |digits: &str| {
+        // `parse` alone would take "+5".
+        let plain = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
+        digits.parse().ok().filter(|&side| plain && side > 0)
+    };
+    text.split_once(['x', 'X', '×'])
+        .and_then(|(width, height)| Some(Size { width: side(width)?, height: side(height)? }))
+        .ok_or_else(|| "accepted: two whole numbers from 1, width and height, such as 1280x720".to_owned())
+}
+
+fn parse_time_s(text: &str) -> Result<f64, String> {
+    text.parse()
+        .ok()
+        .filter(|time_s: &f64| time_s.abs() <= MAX_TIME_S) // never true of a NaN
+        .ok_or_else(|| format!("accepted: seconds from -{MAX_TIME_S} to {MAX_TIME_S}, such as 3.5"))
+}
+
+fn png_path(path: PathBuf) -> Result<PathBuf, String> {
+    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
+        Ok(path)
+    } else {
+        Err("accepted: a file name that ends in .png".to_owned())
+    }
+}
+
+/// The scene's name, without folder and `.toml`, as a picture in the current folder.
+fn default_output(scene: &str) -> PathBuf {
+    let name = Path::new(scene).file_name().map_or_else(|| "picture".into(), |name| name.to_string_lossy());
+    PathBuf::from(format!("{}.png", name.strip_suffix(".toml").unwrap_or(&name)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_are_two_whole_numbers_from_one() {
+        for text in ["1280x720", "1280X720", "1280×720"] {
+            assert_eq!(parse_size(text), Ok(Size { width: 1280, height: 720 }), "{text}");
+        }
+        let wrong = [
+            "",
+            "x",
+            "720",
+            "0x0",
+            "0x720",
+            "1280x0",
+            "-1x5",
+            "+1x5",
+            "1.5x2",
+            "1x2x3",
+            "99999999999x1",
+            "axb",
+            " 1x1",
+            "NaNx1",
+        ];
+        for text in wrong {
+            assert!(parse_size(text).is_err_and(|message| message.contains("1280x720")), "{text:?}");
+        }
+    }
+
+    #[test]
+    fn moments_are_finite_and_within_reach() {
+        for (text, time_s) in [("0", 0.0), ("-2.5", -2.5), ("1e6", 1e6), ("-1e6", -1e6)] {
+            assert_eq!(parse_time_s(text), Ok(time_s));
+        }
+        for text in ["", "NaN", "inf", "-inf", "1000001", "-1e7", "1e999", "3 s", "noon"] {
+            assert!(parse_time_s(text).is_err_and(|message| message.contains("1000000")), "{text:?}");
+        }
+    }
+
+    #[test]
+    fn pictures_are_png_by_name() {
+        for accepted in ["sea.png", "a/b.PNG", "sea.v2.png"] {
+            assert!(png_path(accepted.into()).is_ok(), "{accepted}");
+        }
+        for refused in ["sea.jpg", "sea", "png", ".png", "-", "sea.png/", "", "sea.png "] {
+            let expected = refused != "sea.png/"; // a trailing slash is found when the folder is looked at
+            assert_eq!(png_path(refused.into()).is_err(), expected, "{refused:?}");
+        }
+    }
+
+    #[test]
+    fn a_picture_is_called_like_its_scene() {
+        for (scene, picture) in
+            [("meshuggah", "meshuggah.png"), ("seas/storm.toml", "storm.png"), ("a.b.toml", "a.b.png")]
+        {
+            assert_eq!(default_output(scene), Path::new(picture));
+        }
+    }
+}

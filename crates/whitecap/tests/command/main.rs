@@ -1,0 +1,46 @@
+//! The `whitecap` command from outside: what goes in, what comes out, and with which exit code.
+#![allow(clippy::unwrap_used)] // a test that cannot go on should stop
+
+mod no_adapter;
+mod render;
+mod scenes;
+mod usage;
+
+use assert_cmd::Command;
+use assert_cmd::assert::Assert;
+use std::path::Path;
+
+/// The command, started in `folder`.
+fn whitecap(folder: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_whitecap"));
+    command.current_dir(folder);
+    command
+}
+
+fn stdout(assert: &Assert) -> String {
+    String::from_utf8(assert.get_output().stdout.clone()).expect("standard output is text")
+}
+
+fn stderr(assert: &Assert) -> String {
+    String::from_utf8(assert.get_output().stderr.clone()).expect("standard error is text")
+}
+
+/// The one sentence that the command stopped with. Drivers, too, write to standard error.
+fn sentence(assert: &Assert) -> String {
+    let stderr = stderr(assert);
+    let ours: Vec<&str> = stderr.lines().filter_map(|line| line.strip_prefix("whitecap: ")).collect();
+    assert_eq!(ours.len(), 1, "one sentence was expected:\n{stderr}");
+    ours[0].to_owned()
+}
+
+fn json(assert: &Assert) -> serde_json::Value {
+    serde_json::from_slice(&assert.get_output().stdout).expect("standard output is one JSON document")
+}
+
+/// What is in `folder`, hidden files too.
+fn names_in(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).unwrap();
+    let mut names: Vec<_> = entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
