@@ -1,0 +1,338 @@
+//! What a frame may depend on, and that no water is missing from it.
+#![allow(clippy::unwrap_used)] // a test that cannot go on should stop
+
+use glam::{DVec3, Vec3};
+use whitecap_render::gpu::read_texture;
+use whitecap_render::picture::{PictureRequest, render_picture};
+use whitecap_render::{Gpu, MAX_VIEWS, RenderError, TargetFormat, View, Water};
+use whitecap_scene::{Camera, Scene};
+use whitecap_tests::adapter::gpu;
+
+const SIZE: [u32; 2] = [64, 36];
+
+/// No water and no sky has this colour.
+const NOTHING: wgpu::Color = wgpu::Color { r: 1.0, g: 0.0, b: 1.0, a: 1.0 };
+
+fn scene() -> Scene {
+    whitecap_scene::open("meshuggah").unwrap()
+}
+
+fn look(eye: DVec3, toward: DVec3) -> View {
+    let look_at = eye + toward * 100.0;
+    let camera = Camera { position_m: eye.to_array(), look_at_m: look_at.to_array(), vertical_fov_deg: 50.0 };
+    View::of_camera(&camera, SIZE)
+}
+
+struct Canvas<'a> {
+    gpu: &'a Gpu,
+    color: wgpu::Texture,
+    depth: wgpu::TextureView,
+}
+
+impl<'a> Canvas<'a> {
+    fn new(gpu: &'a Gpu, target: &TargetFormat) -> Canvas<'a> {
+        let texture = |format| {
+            gpu.device.create_texture(&wgpu::TextureDescriptor {
+                label: None,
+                size: wgpu::Extent3d { width: SIZE[0], height: SIZE[1], depth_or_array_layers: 1 },
+                mip_level_count: 1,
+                sample_count: 1,
+                dimension: wgpu::TextureDimension::D2,
+                format,
+                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+                view_formats: &[],
+            })
+        };
+        let depth = texture(target.depth).create_view(&Default::default());
+        Canvas { gpu, color: texture(target.color), depth }
+    }
+
+    fn draw(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        far: f32,
+        draw: impl FnOnce(&mut wgpu::RenderPass<'_>),
+    ) {
+        let color = self.color.create_view(&Default::default());
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: None,
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &color,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(NOTHING), store: wgpu::StoreOp::Store },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &self.depth,
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(far),
+                    store: wgpu::StoreOp::Store,
+                }),
+                stencil_ops: None,
+            }),
+            ..Default::default()
+        });
+        draw(&mut pass);
+    }
+
+    fn pixels(&self) -> Vec<u8> {
+        read_texture(&self.gpu.device, &self.gpu.queue, &self.color).unwrap()
+    }
+}
+
+/// The water and, if `sky`, the sky of one view at one time.
+fn frame(gpu: &Gpu, water: &mut Water, target: &TargetFormat, view: View, time_s: f64, sky: bool) -> Vec<u8> {
+    let canvas = Canvas::new(gpu, target);
+    let mut encoder = gpu.device.create_command_encoder(&Default::default());
+    water.prepare(&gpu.device, &gpu.queue, &mut encoder, &[view], time_s).unwrap();
+    canvas.draw(&mut encoder, target.far_depth(), |pass| {
+        water.draw(pass, 0);
+        if sky {
+            water.draw_sky(pass, 0);
+        }
+    });
+    gpu.queue.submit([encoder.finish()]);
+    canvas.pixels()
+}
+
+fn largest_difference(a: &[u8], b: &[u8]) -> u8 {
+    a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap_or(0)
+}
+
+#[test]
+fn a_frame_depends_on_its_time_and_view_alone() {
+    let Some(gpu) = gpu() else { return };
+    let target = TargetFormat::default();
+    let mut water = Water::new(&gpu.device, &gpu.queue, &scene(), target).unwrap();
+    let view = look(DVec3::new(3.0, 4.0, -7.0), DVec3::new(1.0, -0.1, 0.3));
+    let first = frame(gpu, &mut water, &target, view, 2.5, true);
+    let other = frame(gpu, &mut water, &target, look(DVec3::new(90.0, 9.0, 0.0), DVec3::X), 77.0, true);
+    assert!(largest_difference(&first, &other) > 8);
+    assert_eq!(frame(gpu, &mut water, &target, view, 2.5, true), first);
+}
+
+#[test]
+fn several_views_in_one_frame_equal_each_alone() {
+    let Some(gpu) = gpu() else { return };
+    let (device, queue) = (&gpu.device, &gpu.queue);
+    let target = TargetFormat::default();
+    let mut water = Water::new(device, queue, &scene(), target).unwrap();
+    let views = [
+        look(DVec3::new(0.0, 4.0, 0.0), DVec3::new(1.0, -0.1, 0.0)),
+        look(DVec3::new(500.0, 30.0, 80.0), DVec3::new(-0.2, -0.5, 1.0)),
+    ];
+    let alone = views.map(|view| frame(gpu, &mut water, &target, view, 1.0, true));
+    let canvases = views.map(|_| Canvas::new(gpu, &target));
+    let mut encoder = device.create_command_encoder(&Default::default());
+    water.prepare(device, queue, &mut encoder, &views, 1.0).unwrap();
+    for (i, canvas) in canvases.iter().enumerate() {
+        canvas.draw(&mut encoder, target.far_depth(), |pass| {
+            water.draw(pass, i);
+            water.draw_sky(pass, i);
+        });
+    }
+    queue.submit([encoder.finish()]);
+    for (canvas, alone) in canvases.iter().zip(&alone) {
+        assert_eq!(&canvas.pixels(), alone);
+    }
+
+    let too_many = vec![views[0]; MAX_VIEWS + 1];
+    let mut encoder = device.create_command_encoder(&Default::default());
+    let refused = water.prepare(device, queue, &mut encoder, &too_many, 0.0);
+    assert!(matches!(refused, Err(RenderError::LimitExceeded { .. })));
+}
+
+/// The sea repeats every tile and the bump map every 600/63 m: a thousand kilometres further on, at a
+/// multiple of both, the picture must be the same to the last level or two.
+#[test]
+fn a_thousand_kilometres_from_the_origin_nothing_trembles() {
+    let Some(gpu) = gpu() else { return };
+    let target = TargetFormat::default();
+    let mut water = Water::new(&gpu.device, &gpu.queue, &scene(), target).unwrap();
+    let eye = DVec3::new(12.3, 4.0, -45.6);
+    let toward = DVec3::new(-1.0, -0.15, 0.3);
+    let here = frame(gpu, &mut water, &target, look(eye, toward), 3.0, true);
+    let there = look(eye + DVec3::new(1_000_200.0, 0.0, -999_600.0), toward);
+    let there = frame(gpu, &mut water, &target, there, 3.0, true);
+    let unequal = here.iter().zip(&there).filter(|(a, b)| a.abs_diff(**b) > 2).count();
+    assert!(unequal * 500 < here.len(), "{unequal} of {} values differ", here.len());
+}
+
+/// For cameras of all heights and directions: water wherever the ray meets the sea, none above it.
+#[test]
+fn water_is_where_it_should_be_for_every_camera() {
+    let Some(gpu) = gpu() else { return };
+    let target = TargetFormat::default();
+    let mut scene = scene();
+    let whitecap_scene::Technique::Meshuggah(settings) = &mut scene.technique else { panic!() };
+    settings.visibility_km = 1e6; // haze would hide a hole
+    let mut water = Water::new(&gpu.device, &gpu.queue, &scene, target).unwrap();
+    let mut random = Lcg(1);
+    for camera in 0..60 {
+        let height = [2.5, 6.0, 30.0, 400.0, 9_000.0][camera % 5] * (1.0 + random.next());
+        let pitch = match camera % 4 {
+            0 => -90.0,
+            1 => -60.0 * random.next(),
+            2 => 60.0 * random.next(),
+            _ => -2.0,
+        };
+        let (azimuth, pitch) = (std::f64::consts::TAU * random.next(), f64::to_radians(pitch));
+        let toward = DVec3::new(azimuth.cos() * pitch.cos(), pitch.sin(), azimuth.sin() * pitch.cos());
+        let eye = DVec3::new(1e4 * random.next(), height, 1e4 * random.next());
+        let view = look(eye, toward);
+        let pixels = frame(gpu, &mut water, &target, view, 40.0 * random.next(), false);
+        let world_from_clip = view.clip_from_eye_world().inverse();
+        // Waves stand some metres about the level and hide the horizon's last pixels.
+        let dip = (2.0 * height / 6.371e6).sqrt();
+        let margin = 3.0 * f64::from(view.pixel_angle_rad())
+            + (3.0 / height.max(3.0)).min(0.5).min(4.0 / 104.0 + 3.0 / height);
+        for (i, pixel) in pixels.chunks(4).enumerate() {
+            let (x, y) = (i as u32 % SIZE[0], i as u32 / SIZE[0]);
+            let ndc_x = (x as f32 + 0.5) / SIZE[0] as f32 * 2.0 - 1.0;
+            let ndc_y = 1.0 - (y as f32 + 0.5) / SIZE[1] as f32 * 2.0;
+            let ray = world_from_clip.project_point3(Vec3::new(ndc_x, ndc_y, 0.5)).normalize();
+            let elevation = f64::from(ray.y.clamp(-1.0, 1.0)).asin();
+            let nothing = pixel[0] == 255 && pixel[1] == 0 && pixel[2] == 255;
+            if elevation < -dip - margin {
+                assert!(!nothing, "camera {camera} at {eye}: no water at ({x}, {y}), {elevation} rad");
+            }
+            if elevation > margin {
+                assert!(nothing, "camera {camera} at {eye}: water in the sky at ({x}, {y}), {elevation} rad");
+            }
+        }
+    }
+}
+
+/// Two frames a thirtieth of a second apart: along the horizon, where waves are far smaller than
+/// pixels, nothing may flicker.
+#[test]
+fn the_far_sea_is_calm() {
+    let Some(gpu) = gpu() else { return };
+    let mut scene = scene();
+    // Away from the sun, whose glints may come and go.
+    scene.camera.look_at_m = [300.0, 0.0, 0.0];
+    let picture = |time_s| {
+        let request = PictureRequest { width: 320, height: 180, time_s };
+        render_picture(gpu, &scene, &request, &mut |_| {}).unwrap().rgba8
+    };
+    let (now, then) = (picture(10.0), picture(10.0 + 1.0 / 30.0));
+    let row = |y: usize| y * 320 * 4..(y + 1) * 320 * 4;
+    let mean_change = |rows: std::ops::Range<usize>| {
+        let count = rows.len() * 320 * 4;
+        let sum: f64 = rows.flat_map(row).map(|i| f64::from(now[i].abs_diff(then[i]))).sum();
+        sum / count as f64
+    };
+    // The camera looks 0.76° down: the horizon lies a little above the middle row.
+    let far = mean_change(85..92);
+    assert!(far < 2.0, "the horizon changes by {far} levels in 1/30 s");
+    assert!(mean_change(120..180) > 0.2, "the near sea stands still");
+}
+
+#[test]
+fn targets_that_store_linear_light_look_the_same() {
+    let Some(gpu) = gpu() else { return };
+    let view = look(DVec3::new(0.0, 5.0, 0.0), DVec3::new(0.3, -0.2, 1.0));
+    let shot = |target: TargetFormat| {
+        let mut water = Water::new(&gpu.device, &gpu.queue, &scene(), target).unwrap();
+        frame(gpu, &mut water, &target, view, 1.0, true)
+    };
+    let raw = shot(TargetFormat::default());
+    let srgb = shot(TargetFormat { color: wgpu::TextureFormat::Rgba8UnormSrgb, ..TargetFormat::default() });
+    assert!(largest_difference(&raw, &srgb) <= 2);
+    let usual_depth = TargetFormat { depth_compare: wgpu::CompareFunction::Less, ..TargetFormat::default() };
+    assert!(usual_depth.far_depth() == 1.0 && TargetFormat::default().far_depth() == 0.0);
+}
+
+/// The sun's path on the water lies under the sun, and moves with it.
+#[test]
+fn the_glitter_lies_under_the_sun() {
+    let Some(gpu) = gpu() else { return };
+    let mut scene = scene();
+    // Looking west, 53° wide.
+    scene.camera.look_at_m = [-200.0, 0.0, 0.0];
+    for sun_azimuth_deg in [255.0, 270.0, 288.0] {
+        let whitecap_scene::Sky::Atmosphere(sky) = &mut scene.sky else { panic!() };
+        sky.sun_azimuth_deg = sun_azimuth_deg;
+        sky.cloud_cover = 0.0;
+        let request = PictureRequest { width: 160, height: 90, time_s: 5.0 };
+        let picture = render_picture(gpu, &scene, &request, &mut |_| {}).unwrap().rgba8;
+        let mut weighted = 0.0;
+        let mut total = 0.0;
+        for (i, pixel) in picture.chunks(4).enumerate() {
+            let (x, y) = (i % 160, i / 160);
+            // Glints alone: below the horizon and nearly white.
+            if y > 46 && pixel[..3].iter().all(|&c| c > 200) {
+                weighted += x as f64 + 0.5;
+                total += 1.0;
+            }
+        }
+        assert!(total > 20.0, "no glitter with the sun at {sun_azimuth_deg}°");
+        let half_width = 80.0 / (22.5_f64.to_radians().tan() * 160.0 / 90.0);
+        let expected = 80.0 + half_width * (sun_azimuth_deg - 270.0).to_radians().tan();
+        let mean = weighted / total;
+        assert!((mean - expected).abs() < 12.0, "the path lies at {mean}, the sun at {expected}");
+    }
+}
+
+/// Every setting of the scene does something to the picture.
+#[test]
+fn no_setting_is_without_effect() {
+    let Some(gpu) = gpu() else { return };
+    let base = whitecap_scene::named::find("meshuggah").unwrap().toml;
+    let render = |toml: &str| {
+        let scene = Scene::from_toml(toml, "test.toml").unwrap_or_else(|e| panic!("{e}"));
+        let request = PictureRequest { width: 96, height: 54, time_s: 1.0 };
+        render_picture(gpu, &scene, &request, &mut |_| {}).unwrap().rgba8
+    };
+    let before = render(base);
+    let table = base.replace("water_color = \"lerp\"", "water_color = \"nishita-nakamae\"");
+    let before_table = render(&table);
+    let changes = [
+        ("seed = 7", "seed = 8"),
+        ("tile_size_m = 150.0", "tile_size_m = 170.0"),
+        ("resolution = 64", "resolution = 128"),
+        ("choppiness = 1.0", "choppiness = 0.4"),
+        ("wind_speed_mps = 9.0", "wind_speed_mps = 8.0"),
+        ("from_deg = 250.0", "from_deg = 200.0"),
+        ("tile_repeats = 4", "tile_repeats = 2"),
+        ("bump_repeats = 63.0", "bump_repeats = 40.0"),
+        ("exposure = 1.5", "exposure = 1.0"),
+        ("fresnel = \"per-vertex-split\"", "fresnel = \"per-pixel\""),
+        ("water_color = \"lerp\"", "water_color = \"nishita-nakamae\""),
+        ("deep_color = [0.0,", "deep_color = [0.3,"),
+        ("grazing_color = [0.0,", "grazing_color = [0.3,"),
+        ("visibility_km = 12.0", "visibility_km = 2.0"),
+        ("tile_repeats = 4", "tile_repeats = 4\ncurvature_radius_km = 20.0"),
+        ("sun_azimuth_deg = 255.0", "sun_azimuth_deg = 250.0"),
+        ("sun_elevation_deg = 16.0", "sun_elevation_deg = 30.0"),
+        ("kind = \"atmosphere\"", "kind = \"atmosphere\"\nhaze = 4.0"),
+        ("kind = \"atmosphere\"", "kind = \"atmosphere\"\ncloud_cover = 0.9"),
+        ("kind = \"atmosphere\"", "kind = \"atmosphere\"\nexposure_ev = 1.0"),
+        ("position_m = [0.0, 4.0, 0.0]", "position_m = [0.0, 5.0, 0.0]"),
+        ("vertical_fov_deg = 45.0", "vertical_fov_deg = 50.0"),
+        ("from_deg = 250.0", "from_deg = 250.0\nsignificant_height_m = 3.0"),
+        ("from_deg = 250.0", "from_deg = 250.0\nopposing_energy = 1.0"),
+        ("from_deg = 250.0", "from_deg = 250.0\nsmall_wave_cutoff_m = 2.0"),
+        ("choppiness = 1.0", "choppiness = 1.0\namplitudes = \"gaussian\""),
+    ];
+    for (from, to) in changes {
+        assert!(base.contains(from), "the scene has no {from}");
+        assert_ne!(render(&base.replacen(from, to, 1)), before, "{to} changes nothing");
+    }
+    for to in
+        ["bottom_depth_m = 3.0", "scattering_per_m = [0.01, 0.01, 0.01]\nextinction_per_m = [0.5, 0.1, 0.1]"]
+    {
+        let changed = table.replacen("tile_repeats = 4", &format!("tile_repeats = 4\n{to}"), 1);
+        assert_ne!(render(&changed), before_table, "{to} changes nothing");
+    }
+}
+
+/// A generator that is good enough to scatter cameras.
+struct Lcg(u64);
+
+impl Lcg {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}

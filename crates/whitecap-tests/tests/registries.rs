@@ -1,0 +1,78 @@
+//! What stands in a registry cannot arrive untested: the named scenes show every entry, and the laws run over
+//! the named scenes.
+#![allow(clippy::unwrap_used)] // a test that cannot go on should stop
+
+use glam::{DVec2, DVec3};
+use whitecap_scene::{named, sea, sky, technique};
+use whitecap_waves::model::TileFields;
+use whitecap_waves::statistics::{significant_height_m, variance};
+
+/// Skies that need a file from outside; `crates/whitecap-scene/tests` and the environment's own tests cover them.
+const NEEDS_A_FILE: &[&str] = &["panorama"];
+
+#[test]
+fn every_registered_word_is_shown_by_a_named_scene() {
+    let shown: Vec<String> =
+        named::ALL.iter().map(|named| whitecap_scene::open(named.name).unwrap().to_toml().unwrap()).collect();
+    let is_shown = |key: &str, word: &str| {
+        let line = format!("{key} = \"{word}\"");
+        shown.iter().any(|toml| toml.lines().any(|l| l.trim() == line))
+    };
+    let techniques = technique::ALL.iter().map(|entry| ("technique", entry.word));
+    let models = sea::MODELS.iter().map(|entry| ("model", entry.word));
+    let spectra = sea::system::SPECTRA.iter().map(|entry| ("spectrum", entry.word));
+    let skies = sky::ALL.iter().map(|entry| ("kind", entry.word));
+    for (key, word) in techniques.chain(models).chain(spectra).chain(skies) {
+        assert!(is_shown(key, word) || NEEDS_A_FILE.contains(&word), "no named scene has {key} = \"{word}\"");
+    }
+}
+
+/// The three promises of `WaveModel`: the tile is the direct answer, it repeats, and it depends on nothing but
+/// the time.
+#[test]
+fn every_named_scenes_sea_keeps_the_models_promises() {
+    for named in named::ALL {
+        let scene = whitecap_scene::open(named.name).unwrap();
+        let mut model = scene.sea.build(scene.seed).unwrap();
+        let (n, size_m) = (model.resolution(), model.tile_size_m());
+        let height_m = significant_height_m(model.variance_m2());
+        let near = 1e-4 * height_m;
+        let mut fields = TileFields::new(n);
+        for time_s in [0.0, 3.7, -4_321.5, 900_000.25] {
+            model.evaluate(time_s, &mut fields);
+            let first = fields.height.clone();
+            for i in (0..n * n).step_by(n * n / 97) {
+                let rest = DVec2::new((i % n) as f64, (i / n) as f64) * size_m / n as f64;
+                let point = model.sample(rest, time_s);
+                let drawn = DVec3::from(fields.displacement(i).map(f64::from));
+                assert!((point.displacement_m - drawn).abs().max_element() < near, "{}", named.name);
+                let normal = DVec3::from(fields.normal(i).map(f64::from));
+                assert!((point.normal - normal).abs().max_element() < 1e-3, "{}", named.name);
+                let next = model.sample(rest + DVec2::new(size_m, -3.0 * size_m), time_s);
+                assert!((point.displacement_m - next.displacement_m).abs().max_element() < near);
+            }
+            model.evaluate(time_s + 50.0, &mut fields);
+            model.evaluate(time_s, &mut fields);
+            assert_eq!(first, fields.height, "{} remembers", named.name);
+        }
+    }
+}
+
+/// Ask for a height, measure it: for other heights than the scene's own, seeds and moments.
+#[test]
+fn the_significant_height_asked_for_is_the_one_there_is() {
+    for named in named::ALL {
+        for (asked_m, seed, time_s) in [(0.5, 1, 0.0), (1.0, 2, 60.0), (2.5, 77, -7.5)] {
+            let mut scene = whitecap_scene::open(named.name).unwrap();
+            let sea::SeaModel::Spectral(settings) = &mut scene.sea.model else { continue };
+            settings.system.truncate(1);
+            let sea::system::System::Phillips(system) = &mut settings.system[0] else { continue };
+            system.significant_height_m = Some(asked_m);
+            let mut model = scene.sea.build(seed).unwrap();
+            let mut fields = TileFields::new(model.resolution());
+            model.evaluate(time_s, &mut fields);
+            let measured_m = significant_height_m(variance(&fields.height));
+            assert!((measured_m / asked_m - 1.0).abs() < 1e-3, "{measured_m} instead of {asked_m}");
+        }
+    }
+}

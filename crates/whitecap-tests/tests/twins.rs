@@ -1,0 +1,112 @@
+//! Every shader function that has a Rust twin, run on the GPU over the same inputs.
+#![allow(clippy::unwrap_used)] // a test that cannot go on should stop
+
+use glam::{Vec2, Vec3};
+use wgpu::util::DeviceExt;
+use whitecap_render::environment::linear_from_display;
+use whitecap_render::gpu::read_buffer;
+use whitecap_render::shader_lib;
+use whitecap_render::technique::meshuggah::normals::{bump_frame, world_from_bump};
+use whitecap_tests::adapter::gpu;
+use whitecap_waves::optics::{curvature_drop_m, exposure_split, fresnel_jensen_golias, visible_cosine};
+
+/// Runs `twins.wesl` on inputs of two vectors and gives back three for each.
+fn run(inputs: &[[[f32; 4]; 2]]) -> Option<Vec<[[f32; 4]; 3]>> {
+    let gpu = gpu()?;
+    let (device, queue) = (&gpu.device, &gpu.queue);
+    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: None,
+        layout: None,
+        module: &shader_lib::TWINS.module(device),
+        entry_point: Some("cs_run"),
+        compilation_options: Default::default(),
+        cache: None,
+    });
+    let input = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+        label: None,
+        contents: bytemuck::cast_slice(inputs),
+        usage: wgpu::BufferUsages::STORAGE,
+    });
+    let output = device.create_buffer(&wgpu::BufferDescriptor {
+        label: None,
+        size: inputs.len() as u64 * 48,
+        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
+        mapped_at_creation: false,
+    });
+    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: None,
+        layout: &pipeline.get_bind_group_layout(0),
+        entries: &[
+            wgpu::BindGroupEntry { binding: 0, resource: input.as_entire_binding() },
+            wgpu::BindGroupEntry { binding: 1, resource: output.as_entire_binding() },
+        ],
+    });
+    let mut encoder = device.create_command_encoder(&Default::default());
+    {
+        let mut pass = encoder.begin_compute_pass(&Default::default());
+        pass.set_pipeline(&pipeline);
+        pass.set_bind_group(0, &group, &[]);
+        pass.dispatch_workgroups((inputs.len() as u32).div_ceil(64), 1, 1);
+    }
+    queue.submit([encoder.finish()]);
+    Some(bytemuck::pod_collect_to_vec(&read_buffer(device, queue, &output).unwrap()))
+}
+
+fn assert_near(seen: f32, expected: f64, what: &str) {
+    let error = (f64::from(seen) - expected).abs();
+    assert!(error <= 1e-5 * expected.abs().max(1.0), "{what}: {seen} instead of {expected}");
+}
+
+#[test]
+fn the_gpus_functions_equal_the_cpus() {
+    let inputs: Vec<[[f32; 4]; 2]> = (0..500)
+        .map(|i| {
+            let t = i as f32 / 499.0;
+            let x = -0.5 + 5.0 * t;
+            [[x, 0.2 * t * t, 40_000.0 * t, 6.371e6], [1.5 * (9.0 * t).sin(), 2.0 * t - 0.7, 0.0, 0.0]]
+        })
+        .collect();
+    let Some(outputs) = run(&inputs) else { return };
+    for ([a, b], [light, surface, normal]) in inputs.iter().zip(&outputs) {
+        let [x, variance, distance, radius] = a.map(f64::from);
+        assert_near(light[0], fresnel_jensen_golias(x), "fresnel_jensen_golias");
+        let (integer, fraction) = exposure_split(x);
+        // The two parts jump together where the value passes an integer; their sum does not.
+        if (x - x.round()).abs() > 1e-5 {
+            assert_near(light[1], integer, "exposure_split, integer part");
+            assert_near(light[2], fraction, "exposure_split, fraction");
+        }
+        assert_near(light[3], x.clamp(0.0, 4.0), "exposure_join");
+        assert_near(surface[0], visible_cosine(x, variance), "visible_cosine");
+        assert_near(surface[1], curvature_drop_m(distance, radius), "curvature_drop_m");
+        assert_near(surface[2], linear_from_display(a[0]).into(), "linear_from_display");
+        let bump = Vec3::new(a[0], a[1], a[2]);
+        let expected = world_from_bump(bump_frame(Vec2::new(b[0], b[1])), bump);
+        let seen = Vec3::new(normal[0], normal[1], normal[2]);
+        assert!((seen - expected).abs().max_element() < 1e-6 * bump.length().max(1.0), "{seen} {expected}");
+    }
+}
+
+/// The reference values of the techniques' texts, as the shader computes them.
+#[test]
+fn golden_numbers_on_the_gpu() {
+    let cos80 = 80.0_f64.to_radians().cos();
+    let fresnel = [(1.0, 0.003_906), (0.5, 0.039_02), (cos80, 0.277_78), (0.0, 1.0), (-0.3, 1.0)];
+    // Exposure 4 times Fresnel: cosine, integer part over 4, fraction.
+    let split =
+        [(4.0, 1.0, 0.0), (1.866_03, 0.25, 0.866_03), (0.671_09, 0.0, 0.671_09), (0.015_62, 0.0, 0.015_62)];
+    let inputs: Vec<[[f32; 4]; 2]> = fresnel
+        .iter()
+        .map(|f| f.0)
+        .chain(split.iter().map(|s| s.0))
+        .map(|x| [[x as f32, 0.0, 0.0, 1.0], [0.0; 4]])
+        .collect();
+    let Some(outputs) = run(&inputs) else { return };
+    for ((_, expected), output) in fresnel.iter().zip(&outputs) {
+        assert_near(output[0][0], *expected, "Fresnel");
+    }
+    for ((_, integer, fraction), output) in split.iter().zip(&outputs[fresnel.len()..]) {
+        assert_near(output[0][1], *integer, "integer part");
+        assert_near(output[0][2], *fraction, "fraction");
+    }
+}
