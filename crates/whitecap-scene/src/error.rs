@@ -5,7 +5,7 @@ use std::fmt;
 /// A scene that cannot be used, and why.
 ///
 /// It prints as one line: file, line, key, what was found, and what is accepted instead. For example
-/// `storm.toml:12: sea.system[0].wind_speed_mps = -3: out of range; accepted: 0.1 to 60 m/s`.
+/// `storm.toml:12: sea.system[0].wind_speed_mps = -3: out of range; accepted: 0.1 to 50 m/s`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SceneError(pub(crate) Box<Parts>);
 

@@ -155,6 +155,32 @@ fn exr_channels_are_found_by_name() {
 }
 
 #[test]
+fn a_picture_without_light_is_refused_and_a_glaring_one_is_bounded() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("sky.exr");
+    let load = |value: f32| {
+        exr::prelude::write_rgb_file(&path, 8, 4, |_, _| (value, value, value)).unwrap();
+        Panorama::load(&path)
+    };
+    for dark in [0.0, -3.0, f32::NAN] {
+        let message = load(dark).unwrap_err().to_string();
+        assert!(
+            message.ends_with("without any light: every pixel is 0, negative or not a number"),
+            "{message}"
+        );
+    }
+    assert_eq!(load(1e38).unwrap().pixels[0], [65504.0; 3]);
+    assert_eq!(load(f32::INFINITY).unwrap().pixels[0], [65504.0; 3]);
+}
+
+#[cfg(unix)]
+#[test]
+fn what_is_no_file_is_refused_before_it_is_opened() {
+    let message = Panorama::load(Path::new("/dev/zero")).unwrap_err().to_string();
+    assert_eq!(message, "/dev/zero: no ordinary file; accepted: a Radiance HDR or OpenEXR picture");
+}
+
+#[test]
 fn values_that_are_no_light_are_repaired() {
     let odd = |channel| {
         let mut plane = plane(light, channel);

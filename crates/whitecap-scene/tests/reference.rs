@@ -160,7 +160,7 @@ fn the_markdown_has_a_row_for_every_key() {
     assert_eq!(text.lines().filter(|line| line.starts_with("| `")).count(), reference().count());
     assert!(text.contains("\n## `[[sea.system]]` with `spectrum = \"phillips\"`\n"), "{text}");
     assert!(
-        text.contains("| `wind_speed_mps` | a number: 0.1 to 60 m/s | required | The mean wind speed 10 m"),
+        text.contains("| `wind_speed_mps` | a number: 0.1 to 50 m/s | required | The mean wind speed 10 m"),
         "{text}"
     );
 }

@@ -44,14 +44,14 @@ pub enum ParameterError {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum Remedy {
     /// The waves are too long for the tile.
-    #[error("its waves are too long; use a tile of at least {tile_size_m} m")]
+    #[error("its waves are too long; a tile of {tile_size_m} m is large enough")]
     LargerTile {
         /// A tile of four peak wavelengths, rounded up to a whole metre.
         tile_size_m: f64,
     },
     /// The waves are too short for the spacing of the samples.
     #[error(
-        "its waves are too short; use samples at most {spacing_m:.3} m apart (a finer resolution or a smaller tile)"
+        "its waves are too short; samples {spacing_m:.3} m apart are close enough (a finer resolution or a smaller tile)"
     )]
     CloserSamples {
         /// The spacing that resolves nine tenths of the energy, in metres.

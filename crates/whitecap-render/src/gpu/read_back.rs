@@ -68,6 +68,9 @@ pub fn read_buffer(
     map(device, &staging)
 }
 
+/// How long an answer may take after the device has finished.
+const ANSWER_WITHIN: std::time::Duration = std::time::Duration::from_secs(10);
+
 fn map(device: &wgpu::Device, staging: &wgpu::Buffer) -> Result<Vec<u8>, RenderError> {
     let lost = |reason: String| RenderError::DeviceLost { reason };
     let (sender, receiver) = std::sync::mpsc::channel();
@@ -75,7 +78,8 @@ fn map(device: &wgpu::Device, staging: &wgpu::Buffer) -> Result<Vec<u8>, RenderE
         let _ = sender.send(result);
     });
     device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| lost(e.to_string()))?;
-    match receiver.try_recv() {
+    // Another thread's poll may have taken the answer and be about to pass it on.
+    match receiver.recv_timeout(ANSWER_WITHIN) {
         Ok(Ok(())) => {}
         Ok(Err(e)) => return Err(lost(e.to_string())),
         Err(_) => return Err(lost("read-back was never answered".into())),

@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::reader::quoted_list;
 
-/// The values that a key accepts. It prints as errors and documents say it: `0.1 to 60 m/s`.
+/// The values that a key accepts. It prints as errors and documents say it: `0.1 to 50 m/s`.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Accepts {

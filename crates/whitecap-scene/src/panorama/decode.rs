@@ -92,7 +92,11 @@ pub(super) fn decode(mut input: impl Input, length: u64) -> Result<Panorama, Pan
     let decoded = catch_unwind(AssertUnwindSafe(|| (format.decode)(&mut input, length)));
     let damaged = |explanation| PanoramaProblem::Damaged { format: format.name, explanation };
     match decoded {
-        Ok(Ok(picture)) => Ok(repaired(picture)),
+        Ok(Ok(picture)) => {
+            let picture = repaired(picture);
+            let lit = picture.pixels.iter().any(|pixel| *pixel != [0.0; 3]);
+            if lit { Ok(picture) } else { Err(PanoramaProblem::Dark) }
+        }
         Ok(Err(Failure::Refused(problem))) => Err(problem),
         Ok(Err(Failure::Damaged(explanation))) => Err(damaged(explanation)),
         Err(_) => Err(damaged("its contents contradict each other".to_owned())),
@@ -103,14 +107,10 @@ pub(super) fn decode(mut input: impl Input, length: u64) -> Result<Panorama, Pan
 fn repaired(Picture { size: Size { width, height }, mut pixels }: Picture) -> Panorama {
     let mut repaired = 0;
     for pixel in &mut pixels {
-        let is_radiance = |value: &f32| value.is_finite() && *value >= 0.0;
+        let is_radiance = |value: &f32| (0.0..=LARGEST_HALF).contains(value);
         if !pixel.iter().all(is_radiance) {
             repaired += 1;
-            *pixel = pixel.map(|value| match value {
-                f32::INFINITY => LARGEST_HALF,
-                // `max` takes the number where the other is NaN.
-                _ => value.max(0.0),
-            });
+            *pixel = pixel.map(|value| if value.is_nan() { 0.0 } else { value.clamp(0.0, LARGEST_HALF) });
         }
     }
     Panorama { width, height, pixels, repaired }

@@ -28,6 +28,14 @@ pub enum PanoramaProblem {
     #[error("this is a folder; accepted: a Radiance HDR or OpenEXR picture")]
     Folder,
 
+    /// It is a pipe, a socket or a device.
+    #[error("no ordinary file; accepted: a Radiance HDR or OpenEXR picture")]
+    NoFile,
+
+    /// Every pixel is black, negative or not a number.
+    #[error("without any light: every pixel is 0, negative or not a number")]
+    Dark,
+
     /// It begins like neither format.
     #[error("neither a Radiance HDR nor an OpenEXR picture, by its first bytes")]
     UnknownFormat,

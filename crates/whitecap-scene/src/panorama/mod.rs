@@ -24,7 +24,7 @@ pub struct Panorama {
     pub height: usize,
     /// `width * height` pixels, row by row: red, green and blue, finite and not negative.
     pub pixels: Vec<[f32; 3]>,
-    /// How many pixels were not so in the file: NaN and negative values became 0, infinite ones 65504.
+    /// How many pixels were not so in the file: NaN and negative values became 0, those above 65504 became that.
     pub repaired: usize,
 }
 
@@ -42,7 +42,7 @@ impl Panorama {
     ///
     /// # Errors
     ///
-    /// If the file cannot be read, is of another format, is damaged, is larger than [`Self::MAX_WIDTH`] by
+    /// If the file cannot be read, is of another format, is damaged, holds no light, is larger than [`Self::MAX_WIDTH`] by
     /// [`Self::MAX_HEIGHT`] pixels or [`Self::MAX_FILE_BYTES`], or is not about twice as wide as high.
     pub fn load(path: &Path) -> Result<Self, PanoramaError> {
         Self::load_problem(path).map_err(|problem| problem.in_file(path.display()))
@@ -58,11 +58,15 @@ impl Panorama {
     }
 
     fn load_problem(path: &Path) -> Result<Self, PanoramaProblem> {
-        let file = File::open(path).map_err(PanoramaProblem::Unreadable)?;
-        let about = file.metadata().map_err(PanoramaProblem::Unreadable)?;
+        // Before it is opened: opening a pipe that nobody writes to would wait for ever.
+        let about = std::fs::metadata(path).map_err(PanoramaProblem::Unreadable)?;
         if about.is_dir() {
             return Err(PanoramaProblem::Folder);
         }
+        if !about.is_file() {
+            return Err(PanoramaProblem::NoFile);
+        }
+        let file = File::open(path).map_err(PanoramaProblem::Unreadable)?;
         decode::decode(BufReader::new(file), about.len())
     }
 }

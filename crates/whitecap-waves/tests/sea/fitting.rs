@@ -44,7 +44,10 @@ fn waves_too_long_for_the_tile() {
     };
     assert!(captured_fraction < 0.5);
     let text = error.to_string();
-    assert!(text.contains("40 m") && text.contains("too long") && text.contains("at least"), "{text}");
+    assert!(
+        text.contains("40 m") && text.contains("too long") && text.contains("m is large enough"),
+        "{text}"
+    );
     // The peak over k lies where d/dk (k⁻³ exp(−1/(kL)²)) = 0, at k = √(2/3)/L.
     let expected = 4.0 * std::f64::consts::TAU * (625.0 / 9.81) / (2.0_f64 / 3.0).sqrt();
     let Remedy::LargerTile { tile_size_m } = remedy else { panic!("{text}") };

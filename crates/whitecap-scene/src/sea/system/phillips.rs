@@ -20,7 +20,7 @@ table! {
     /// A wind sea: a table `[[sea.system]]` with `spectrum = "phillips"`.
     pub struct PhillipsSystem {
         /// The mean wind speed 10 m above the sea.
-        wind_speed_mps: f64 = required(Real { unit: "m/s", min: 0.1, max: 60.0 });
+        wind_speed_mps: f64 = required(Real { unit: "m/s", min: 0.1, max: 50.0 });
         /// The bearing that wind and waves come from, clockwise from north.
         from_deg: f64 = required(Real { unit: "deg", min: 0.0, max: 360.0 });
         /// The significant height to scale the waves to.
