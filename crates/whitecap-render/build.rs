@@ -4,6 +4,7 @@
 /// the features that it is linked with.
 const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::pass::sky", "sky", &[]),
+    ("package::pass::objects", "objects", &[]),
     ("package::technique::meshuggah::meshuggah", "meshuggah", &[]),
     ("package::technique::meshuggah::meshuggah", "meshuggah_per_sample", &["per_sample"]),
     ("package::technique::meshuggah::vertices", "meshuggah_vertices", &[]),

@@ -8,24 +8,26 @@
 //! - [`surface`]: how a wave model reaches the GPU;
 //! - [`geometry`]: the meshes it is drawn on;
 //! - [`technique`]: the ways to draw it;
-//! - [`pass`]: what techniques and hosts share, such as the sky;
+//! - `pass`: what techniques share: the sky, the objects, mirror and refraction maps;
 //! - [`shader_lib`]: the shaders, linked from WESL when the crate is built.
 
 pub mod environment;
 pub mod geometry;
 pub mod gpu;
-pub mod pass;
+mod pass;
 pub mod picture;
 pub mod shader_lib;
 pub mod surface;
 mod target;
 pub mod technique;
+mod timing;
 mod uniforms;
 mod view;
 mod water;
 
 pub use gpu::{AdapterDescription, Gpu, RenderError, list_adapters};
 pub use target::TargetFormat;
+pub use timing::PassTime;
 pub use uniforms::MAX_VIEWS;
 pub use view::View;
 pub use water::Water;

@@ -2,7 +2,8 @@
 
 use crate::environment::Environment;
 use crate::gpu::{checked, read_texture};
-use crate::{Gpu, RenderError, TargetFormat, View, Water};
+use crate::timing::PassTimer;
+use crate::{Gpu, PassTime, RenderError, TargetFormat, View, Water};
 use whitecap_scene::Scene;
 
 /// What to render.
@@ -105,7 +106,7 @@ fn draw(
     checked(device, "the frame", || {
         let mut encoder = device.create_command_encoder(&Default::default());
         water.prepare(device, queue, &mut encoder, &[view], request.time_s)?;
-        let mut pass = attachments.begin(&mut encoder, &target);
+        let mut pass = attachments.begin(&mut encoder, &target, true);
         water.draw(&mut pass, 0);
         water.draw_sky(&mut pass, 0);
         drop(pass);
@@ -120,6 +121,64 @@ fn draw(
         checked(device, "the picture's read-back", || read_texture(device, queue, &attachments.resolved))?;
     gpu.check()?;
     Ok(Picture { width: request.width, height: request.height, rgba8 })
+}
+
+/// Renders `runs` frames of `scene`, a thirtieth of a second apart, as a window would show them (one sample a
+/// pixel), and gives the median time of each pass. A frame before them, which compiles and warms up, does not
+/// count.
+///
+/// # Errors
+///
+/// As [`render_picture`].
+pub fn time_passes(
+    gpu: &Gpu,
+    scene: &Scene,
+    request: &PictureRequest,
+    runs: usize,
+) -> Result<Vec<PassTime>, RenderError> {
+    let (device, queue) = (&gpu.device, &gpu.queue);
+    check_size(device, request)?;
+    let target = TargetFormat::default();
+    let mut water = Water::new(device, queue, scene, target)?;
+    let attachments =
+        checked(device, "a picture of this size", || Ok(Attachments::new(device, request, &target)))?;
+    let view = View::of_camera(&scene.camera, [request.width, request.height]);
+    let mut frames: Vec<Vec<PassTime>> = Vec::new();
+    for run in 0..=runs {
+        let passes = checked(device, "the frame", || {
+            let mut encoder = device.create_command_encoder(&Default::default());
+            let mut timer = PassTimer::start();
+            let time_s = request.time_s + run as f64 / 30.0;
+            water.prepare_timed(device, queue, &mut encoder, &[view], time_s, Some(&mut timer))?;
+            if water.has_objects() {
+                water.draw_objects(&mut attachments.begin(&mut encoder, &target, true), 0);
+                timer.end_of_pass(device, queue, &mut encoder, "objects");
+            }
+            water.draw_surface(&mut attachments.begin(&mut encoder, &target, !water.has_objects()), 0);
+            timer.end_of_pass(device, queue, &mut encoder, "water");
+            water.draw_sky(&mut attachments.begin(&mut encoder, &target, false), 0);
+            timer.end_of_pass(device, queue, &mut encoder, "sky");
+            Ok(timer.passes())
+        })?;
+        gpu.check()?;
+        if run > 0 {
+            frames.push(passes);
+        }
+    }
+    Ok(medians(&frames))
+}
+
+/// The median time of each pass over all frames, which have the same passes.
+fn medians(frames: &[Vec<PassTime>]) -> Vec<PassTime> {
+    let passes = frames.first().map_or(&[][..], Vec::as_slice).iter().enumerate();
+    passes
+        .map(|(i, pass)| {
+            let mut ms: Vec<f64> =
+                frames.iter().filter_map(|frame| frame.get(i)).map(|pass| pass.ms).collect();
+            ms.sort_by(f64::total_cmp);
+            PassTime { name: pass.name, ms: ms[ms.len() / 2] }
+        })
+        .collect()
 }
 
 fn check_size(device: &wgpu::Device, request: &PictureRequest) -> Result<(), RenderError> {
@@ -171,28 +230,34 @@ impl Attachments {
         }
     }
 
+    /// The pass that draws the picture; `first` if nothing has been drawn yet.
     fn begin<'e>(
         &self,
         encoder: &'e mut wgpu::CommandEncoder,
         target: &TargetFormat,
+        first: bool,
     ) -> wgpu::RenderPass<'e> {
         let resolved = self.resolved.create_view(&Default::default());
+        let (color, depth) = if first {
+            (wgpu::LoadOp::Clear(wgpu::Color::BLACK), wgpu::LoadOp::Clear(target.far_depth()))
+        } else {
+            (wgpu::LoadOp::Load, wgpu::LoadOp::Load)
+        };
+        // Samples are resolved in one pass; without them each pass goes on where the last one ended.
+        let store = if target.sample_count > 1 { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store };
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("picture"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &self.color,
+                view: if target.sample_count > 1 { &self.color } else { &resolved },
                 depth_slice: None,
-                resolve_target: Some(&resolved),
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
-                    store: wgpu::StoreOp::Discard,
-                },
+                resolve_target: (target.sample_count > 1).then_some(&resolved),
+                ops: wgpu::Operations { load: color, store },
             })],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &self.depth,
                 depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(target.far_depth()),
-                    store: wgpu::StoreOp::Discard,
+                    load: depth,
+                    store,
                 }),
                 stencil_ops: None,
             }),

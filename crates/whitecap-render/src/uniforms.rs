@@ -2,7 +2,8 @@
 
 use crate::environment::{CubeMap, Environment, FACE_SIZE, SUN_RADIUS_RAD, display_from_linear};
 use crate::{RenderError, TargetFormat, View};
-use glam::Vec3;
+use crate::gpu::resources::bind_group;
+use glam::{Mat4, Vec3, Vec4};
 
 /// Views of one sea that a frame can hold.
 pub const MAX_VIEWS: usize = 16;
@@ -20,11 +21,52 @@ pub(crate) struct GpuView {
     pub(crate) far_depth: f32,
     pub(crate) stores_linear_light: u32,
     pub(crate) padding: u32,
+    pub(crate) clip_plane: [f32; 4],
+}
+
+/// What a view of the scene is for. All of a view's roles share its eye, so that what lies in the world is placed
+/// once for all of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Role {
+    /// The picture itself.
+    Main,
+    /// The scene mirrored in the water's plane, without what lies under it.
+    Mirror,
+    /// The scene as it is, without what lies over the water's plane.
+    Refraction,
+}
+
+impl Role {
+    const COUNT: usize = 3;
+
+    /// The plane as the eye sees it: what is kept has a product with it of 0 or more. `margin_m` lets the maps
+    /// reach past the plane, so that no seam opens where waves lift their edge.
+    fn clip_plane(self, plane_m: f32, margin_m: f32) -> Vec4 {
+        match self {
+            Role::Main => Vec4::ZERO,
+            Role::Mirror => Vec4::new(0.0, 1.0, 0.0, margin_m - plane_m),
+            Role::Refraction => Vec4::new(0.0, -1.0, 0.0, margin_m + plane_m),
+        }
+    }
+
+    /// Eye-relative world from eye-relative world, mirrored in the level plane at `plane_m`.
+    fn mirrored(self, plane_m: f32) -> Mat4 {
+        match self {
+            Role::Mirror => Mat4::from_cols(
+                Vec4::X,
+                Vec4::NEG_Y,
+                Vec4::Z,
+                Vec4::new(0.0, 2.0 * plane_m, 0.0, 1.0),
+            ),
+            Role::Main | Role::Refraction => Mat4::IDENTITY,
+        }
+    }
 }
 
 impl GpuView {
-    pub(crate) fn new(view: &View, target: &TargetFormat) -> GpuView {
-        let clip_from_eye_world = view.clip_from_eye_world();
+    /// `plane_m` is the height of the water's level over the eye.
+    pub(crate) fn new(view: &View, target: &TargetFormat, role: Role, plane_m: f32, margin_m: f32) -> GpuView {
+        let clip_from_eye_world = view.clip_from_eye_world() * role.mirrored(plane_m);
         GpuView {
             clip_from_eye_world: clip_from_eye_world.to_cols_array_2d(),
             eye_world_from_clip: clip_from_eye_world.inverse().to_cols_array_2d(),
@@ -32,6 +74,7 @@ impl GpuView {
             far_depth: target.far_depth(),
             stores_linear_light: u32::from(target.stores_linear_light()),
             padding: 0,
+            clip_plane: role.clip_plane(plane_m, margin_m).to_array(),
         }
     }
 }
@@ -57,23 +100,29 @@ impl<T: bytemuck::Pod> ViewSlots<T> {
     const FITS: () = assert!(size_of::<T>() <= 2 * SLOT_BYTES, "a slot is two alignments wide");
     const STRIDE: usize = if size_of::<T>() <= SLOT_BYTES { SLOT_BYTES } else { 2 * SLOT_BYTES };
 
+    /// A slot for each view.
     pub(crate) fn new(device: &wgpu::Device, label: &str) -> Self {
+        Self::with_slots(device, label, MAX_VIEWS)
+    }
+
+    /// Any number of slots, for uniforms of which a view has several.
+    pub(crate) fn with_slots(device: &wgpu::Device, label: &str, slots: usize) -> Self {
         let () = Self::FITS;
         let buffer = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some(label),
-            size: (MAX_VIEWS * Self::STRIDE) as u64,
+            size: (slots.max(1) * Self::STRIDE) as u64,
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
         ViewSlots { buffer, what: std::marker::PhantomData }
     }
 
-    pub(crate) fn write(&self, queue: &wgpu::Queue, view: usize, value: &T) {
-        queue.write_buffer(&self.buffer, (view * Self::STRIDE) as u64, bytemuck::bytes_of(value));
+    pub(crate) fn write(&self, queue: &wgpu::Queue, slot: usize, value: &T) {
+        queue.write_buffer(&self.buffer, (slot * Self::STRIDE) as u64, bytemuck::bytes_of(value));
     }
 
-    pub(crate) fn offset(view: usize) -> u32 {
-        (view * Self::STRIDE) as u32
+    pub(crate) fn offset(slot: usize) -> u32 {
+        (slot * Self::STRIDE) as u32
     }
 
     pub(crate) fn layout_entry(binding: u32, visibility: wgpu::ShaderStages) -> wgpu::BindGroupLayoutEntry {
@@ -116,32 +165,19 @@ impl Shared {
         target: TargetFormat,
     ) -> Shared {
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT;
-        let views = ViewSlots::new(device, "views");
+        let views = ViewSlots::with_slots(device, "views", Role::COUNT * MAX_VIEWS);
         let view_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("view"),
             entries: &[ViewSlots::<GpuView>::layout_entry(0, stages)],
         });
-        let view_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("view"),
-            layout: &view_layout,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: views.binding() }],
-        });
+        let view_group = bind_group(device, "view", &view_layout, [views.binding()]);
 
         let environment_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("environment"),
             entries: &[
                 texture_entry(0, stages, wgpu::TextureViewDimension::Cube, true),
                 sampler_entry(1, stages),
-                wgpu::BindGroupLayoutEntry {
-                    binding: 2,
-                    visibility: stages,
-                    ty: wgpu::BindingType::Buffer {
-                        ty: wgpu::BufferBindingType::Uniform,
-                        has_dynamic_offset: false,
-                        min_binding_size: None,
-                    },
-                    count: None,
-                },
+                uniform_entry(2, stages),
             ],
         });
         let cube = upload_cube(device, queue, &environment.cube);
@@ -153,15 +189,9 @@ impl Shared {
             mipmap_filter: wgpu::MipmapFilterMode::Linear,
             ..Default::default()
         });
-        let environment_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("environment"),
-            layout: &environment_layout,
-            entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&cube) },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) },
-                wgpu::BindGroupEntry { binding: 2, resource: sun.as_entire_binding() },
-            ],
-        });
+        use wgpu::BindingResource::{Sampler, TextureView};
+        let resources = [TextureView(&cube), Sampler(&sampler), sun.as_entire_binding()];
+        let environment_group = bind_group(device, "environment", &environment_layout, resources);
         Shared { target, views, view_layout, view_group, environment_layout, environment_group }
     }
 
@@ -174,13 +204,29 @@ impl Shared {
             });
         }
         for (i, view) in views.iter().enumerate() {
-            self.views.write(queue, i, &GpuView::new(view, &self.target));
+            self.write_view(queue, i, view, Role::Main, &self.target, 0.0);
         }
         Ok(())
     }
 
-    pub(crate) fn bind(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
-        pass.set_bind_group(0, &self.view_group, &[ViewSlots::<GpuView>::offset(view)]);
+    /// Sets up one role of one view, for a target that may differ from the picture's.
+    pub(crate) fn write_view(
+        &self,
+        queue: &wgpu::Queue,
+        index: usize,
+        view: &View,
+        role: Role,
+        target: &TargetFormat,
+        margin_m: f32,
+    ) {
+        let value = GpuView::new(view, target, role, -view.eye_m.y as f32, margin_m);
+        self.views.write(queue, role as usize * MAX_VIEWS + index, &value);
+    }
+
+    /// Binds groups 0 and 1 for one role of one view.
+    pub(crate) fn bind(&self, pass: &mut wgpu::RenderPass<'_>, view: usize, role: Role) {
+        let slot = role as usize * MAX_VIEWS + view;
+        pass.set_bind_group(0, &self.view_group, &[ViewSlots::<GpuView>::offset(slot)]);
         pass.set_bind_group(1, &self.environment_group, &[]);
     }
 }
@@ -199,6 +245,20 @@ pub(crate) fn texture_entry(
             sample_type: wgpu::TextureSampleType::Float { filterable },
             view_dimension,
             multisampled: false,
+        },
+        count: None,
+    }
+}
+
+/// A uniform that is the same for every view.
+pub(crate) fn uniform_entry(binding: u32, visibility: wgpu::ShaderStages) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility,
+        ty: wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: None,
         },
         count: None,
     }
@@ -273,7 +333,14 @@ mod tests {
             GpuView,
             shader_lib::SKY.wgsl,
             "GpuView",
-            [clip_from_eye_world, eye_world_from_clip, pixel_angle_rad, far_depth, stores_linear_light]
+            [
+                clip_from_eye_world,
+                eye_world_from_clip,
+                pixel_angle_rad,
+                far_depth,
+                stores_linear_light,
+                clip_plane,
+            ]
         );
         assert_layout!(GpuSun, shader_lib::SKY.wgsl, "GpuSun", [toward, radius_rad, display]);
     }

@@ -2,9 +2,11 @@
 
 use crate::environment::Environment;
 use crate::gpu::checked;
-use crate::pass::SkyPass;
+use crate::pass::{ObjectPass, Objects, SkyPass};
 use crate::technique::{self, Build, Frame, Technique};
-use crate::uniforms::Shared;
+use crate::timing::PassTimer;
+use crate::uniforms::{Role, Shared};
+use glam::Vec3;
 use crate::{RenderError, TargetFormat, View};
 use whitecap_scene::Scene;
 
@@ -28,6 +30,8 @@ use whitecap_scene::Scene;
 /// ```
 pub struct Water {
     shared: Shared,
+    objects: Objects,
+    object_pass: ObjectPass,
     sky: SkyPass,
     technique: Box<dyn Technique>,
 }
@@ -62,17 +66,20 @@ impl Water {
     ) -> Result<Water, RenderError> {
         checked(device, "the water", || {
             let shared = Shared::new(device, queue, environment, target);
-            let sky = SkyPass::new(device, &shared);
+            let objects = Objects::new(device, queue, scene)?;
+            let object_pass = ObjectPass::new(device, &shared, &objects, &target);
+            let sky = SkyPass::new(device, &shared, &target);
             let technique = technique::build(&Build {
                 device,
                 queue,
                 scene,
                 shared: &shared,
+                objects: &objects,
                 irradiance: environment.irradiance,
                 daylight: environment.daylight,
-                sun_cos: environment.sun.map_or(1.0, |sun| sun.toward.y.max(0.0)),
+                toward_sun: environment.sun.map_or(Vec3::Y, |sun| sun.toward),
             })?;
-            Ok(Water { shared, sky, technique })
+            Ok(Water { shared, objects, object_pass, sky, technique })
         })
     }
 
@@ -92,20 +99,50 @@ impl Water {
         views: &[View],
         time_s: f64,
     ) -> Result<(), RenderError> {
-        self.shared.write_views(queue, views)?;
-        self.technique.prepare(&mut Frame { device, queue, encoder, views, time_s })
+        self.prepare_timed(device, queue, encoder, views, time_s, None)
     }
 
-    /// Draws the water as `views[view]` of the last [`Water::prepare`] sees it, with depth test and
-    /// depth write. It changes the pass's pipeline, bind groups 0 to 2, vertex buffer 0 and the index
-    /// buffer.
+    pub(crate) fn prepare_timed(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        views: &[View],
+        time_s: f64,
+        timer: Option<&mut PassTimer>,
+    ) -> Result<(), RenderError> {
+        let Water { shared, objects, technique, .. } = self;
+        shared.write_views(queue, views)?;
+        objects.prepare(queue, views, time_s);
+        technique.prepare(&mut Frame { device, queue, encoder, views, time_s, shared, objects, timer })
+    }
+
+    /// Draws the scene's objects and the water as `views[view]` of the last [`Water::prepare`] sees them, with
+    /// depth test and depth write. It changes the pass's pipeline, bind groups 0 to 3, vertex buffers and the
+    /// index buffer.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
-        self.shared.bind(pass, view);
+        self.draw_objects(pass, view);
+        self.draw_surface(pass, view);
+    }
+
+    pub(crate) fn draw_objects(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
+        self.object_pass.draw(pass, &self.shared, &self.objects, view, Role::Main);
+    }
+
+    pub(crate) fn draw_surface(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
+        self.shared.bind(pass, view, Role::Main);
         self.technique.draw(pass, view);
     }
 
     /// Draws the scene's sky behind everything that is in the pass already.
     pub fn draw_sky(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
-        self.sky.draw(pass, &self.shared, view);
+        self.shared.bind(pass, view, Role::Main);
+        if !self.technique.draw_sky(pass, view) {
+            self.sky.draw(pass, &self.shared, view, Role::Main);
+        }
+    }
+
+    pub(crate) fn has_objects(&self) -> bool {
+        !self.objects.is_empty()
     }
 }

@@ -32,6 +32,7 @@ mod camera;
 mod error;
 mod key;
 pub mod named;
+pub mod object;
 pub mod panorama;
 mod reader;
 pub mod reference;

@@ -2,6 +2,7 @@
 
 use crate::camera::Camera;
 use crate::key::Key;
+use crate::object::Object;
 use crate::registry::{Registered, Tag};
 use crate::scene::Scene;
 use crate::{sea, sky, technique};
@@ -50,11 +51,13 @@ pub fn reference() -> impl Iterator<Item = KeyDoc> {
     keys.add("", None, Scene::keys());
     keys.add_tagged("sea", &sea::TAG);
     keys.add_tagged("sea.system[]", &sea::system::TAG);
+    keys.add("sea.wave[]", None, sea::WAVE_KEYS());
     for technique in technique::ALL {
         keys.add(technique.word, None, (technique.keys)());
     }
     keys.add_tagged("sky", &sky::TAG);
     keys.add("camera", None, Camera::keys());
+    keys.add("object[]", None, Object::keys());
     keys.0.into_iter()
 }
 

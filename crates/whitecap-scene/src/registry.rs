@@ -20,12 +20,28 @@ pub(crate) struct Tag<T: 'static> {
     /// What the kinds are kinds of, for "no such …".
     pub(crate) noun: &'static str,
     pub(crate) doc: &'static str,
-    /// The kind where the key is left out; `None` if it must be there.
-    pub(crate) default: Option<&'static str>,
+    /// What it means to leave the key out.
+    pub(crate) default: TagDefault,
     pub(crate) all: &'static [Registered<T>],
 }
 
+/// What it means to leave a tag out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TagDefault {
+    /// The key must be there.
+    Required,
+    /// This kind.
+    Word(&'static str),
+    /// What another part of the file decides, in words; its reader puts a word in its place.
+    Decided(&'static str),
+}
+
 impl<T> Tag<T> {
+    /// The same tag where `word` is the kind that is meant without the key.
+    pub(crate) fn or(&self, word: &'static str) -> Self {
+        Self { default: TagDefault::Word(word), ..*self }
+    }
+
     /// The documentation of the key itself.
     pub(crate) fn key(&self) -> Key {
         Key::new(self.key, self.doc, self)
@@ -54,13 +70,15 @@ impl<T> Entry for Tag<T> {
     }
 
     fn absent(&self) -> Option<Self::Value> {
-        self.all.iter().find(|kind| Some(kind.word) == self.default)
+        let TagDefault::Word(word) = self.default else { return None };
+        self.all.iter().find(|kind| kind.word == word)
     }
 
     fn when_absent(&self) -> WhenAbsent {
         match self.default {
-            Some(word) => WhenAbsent::Default(format!("{word:?}")),
-            None => WhenAbsent::Refused,
+            TagDefault::Word(word) => WhenAbsent::Default(format!("{word:?}")),
+            TagDefault::Decided(meaning) => WhenAbsent::Means(meaning),
+            TagDefault::Required => WhenAbsent::Refused,
         }
     }
 }

@@ -11,6 +11,7 @@ use crate::camera::Camera;
 use crate::error::SceneError;
 use crate::key::{Key, Seed, or};
 use crate::named;
+use crate::object::{Model, Object, Objects};
 use crate::panorama::Panorama;
 use crate::reader::{Source, TableReader, did_you_mean, quoted_list};
 use crate::sea::Sea;
@@ -35,8 +36,12 @@ pub struct Scene {
     pub sky: Sky,
     /// Where the scene is seen from.
     pub camera: Camera,
+    /// What stands or floats in the water.
+    pub objects: Vec<Object>,
     /// The picture of a sky that is one, if the scene came from a file. It is not part of what the file says.
     pub panorama: Option<Arc<Panorama>>,
+    /// The objects with their meshes, if the scene came from a file. They are not part of what the file says.
+    pub models: Option<Vec<Model>>,
 }
 
 /// Reads the scene that `name_or_path` says: a named scene, or else a file.
@@ -76,17 +81,20 @@ impl Scene {
         let origin = path.display().to_string();
         let text = text_of(path).map_err(|problem| SceneError::about_file(&origin, problem))?;
         Self::read_text(&text, &origin, |scene| {
-            if let Some(file) = scene.sky.file_mut()
-                && let Ok(path) = std::path::absolute(path)
-                && let Some(folder) = path.parent()
-            {
-                *file = folder.join(&file);
+            let objects = scene.objects.iter_mut().filter_map(|object| object.file.as_mut());
+            for file in scene.sky.file_mut().into_iter().chain(objects) {
+                if let Ok(path) = std::path::absolute(path)
+                    && let Some(folder) = path.parent()
+                {
+                    *file = folder.join(&file);
+                }
             }
             if let Sky::Panorama(sky) = &scene.sky {
                 let picture =
                     sky.load().map_err(|error| SceneError::about_key("sky.file", error.to_string()))?;
                 scene.panorama = Some(Arc::new(picture));
             }
+            scene.models = Some(scene.read_objects()?);
             Ok(())
         })
     }
@@ -132,14 +140,47 @@ impl Scene {
 
     fn read(table: &TableReader<'_>) -> Result<Self, SceneError> {
         table.only(Self::keys().iter().map(|key| key.key).chain(Self::tables()))?;
+        let technique = Technique::read(table)?;
+        let sea_table = table.table("sea")?;
+        let sea = Sea::read(&sea_table, technique.sea_models())?;
+        if !technique.sea_models().contains(&sea.model.word()) {
+            return Err(sea_table.error(
+                Some("model"),
+                format!(
+                    "not a sea that technique = \"{}\" draws; accepted: {}",
+                    technique.word(),
+                    quoted_list(technique.sea_models())
+                ),
+            ));
+        }
         Ok(Self {
-            technique: Technique::read(table)?,
             seed: table.read("seed", &SEED)?,
-            sea: Sea::read(&table.table("sea")?)?,
             sky: Sky::read(&table.table("sky")?)?,
             camera: Camera::read_checked(&table.table("camera")?)?,
+            objects: table.read("object", &OBJECTS)?,
+            technique,
+            sea,
             panorama: None,
+            models: None,
         })
+    }
+
+    /// The objects with their meshes: those that were read with the file, or read now.
+    ///
+    /// # Errors
+    ///
+    /// If a mesh's file cannot be read.
+    pub fn read_objects(&self) -> Result<Vec<Model>, SceneError> {
+        match &self.models {
+            Some(models) => Ok(models.clone()),
+            None => self.objects.iter().enumerate().map(|(index, object)| self.model(index, object)).collect(),
+        }
+    }
+
+    fn model(&self, index: usize, object: &Object) -> Result<Model, SceneError> {
+        object
+            .model(self.seed)
+            .map_err(|error| SceneError::about_key(format!("object[{index}].file"), error.to_string()))
     }
 
     /// The keys at the top of the file.
@@ -149,11 +190,13 @@ impl Scene {
 
     /// The tables at the top of the file.
     fn tables() -> impl Iterator<Item = &'static str> {
-        ["sea", "sky", "camera"].into_iter().chain(technique::ALL.iter().map(|technique| technique.word))
+        ["sea", "sky", "camera", "object"].into_iter().chain(technique::ALL.iter().map(|technique| technique.word))
     }
 }
 
 const SEED: crate::key::Or<Seed> = or(Seed, 0);
+
+const OBJECTS: crate::key::Or<Objects> = or(Objects, Vec::new());
 
 const TOO_LONG: &str = "longer than a scene file may be; accepted: up to 1 MiB";
 
@@ -180,15 +223,16 @@ fn text_of(path: &Path) -> Result<String, String> {
 
 impl Serialize for Scene {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut scene = serializer.serialize_map(Some(6))?;
+        let mut scene = serializer.serialize_map(Some(7))?;
         scene.serialize_entry("technique", self.technique.word())?;
         scene.serialize_entry("seed", &self.seed)?;
         scene.serialize_entry("sea", &self.sea)?;
-        match &self.technique {
-            Technique::Meshuggah(settings) => scene.serialize_entry(self.technique.word(), settings)?,
-        }
+        scene.serialize_entry(self.technique.word(), &self.technique)?;
         scene.serialize_entry("sky", &self.sky)?;
         scene.serialize_entry("camera", &self.camera)?;
+        if !self.objects.is_empty() {
+            scene.serialize_entry("object", &self.objects)?;
+        }
         scene.end()
     }
 }

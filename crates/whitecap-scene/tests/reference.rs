@@ -9,13 +9,54 @@ use toml::{Table, Value};
 use whitecap_scene::reference::{Accepts, KeyDoc, WhenAbsent, markdown, reference};
 use whitecap_scene::{Scene, SceneError, named, sea, sky, technique};
 
-/// The default scene, changed so that the table of `doc` is there with the kind that has the key.
-fn scene_with_table_of(doc: &KeyDoc) -> Table {
+/// The default scene drawn by `technique`, with that technique's own sea and settings.
+fn scene_drawn_by(technique: &str) -> Table {
     let scene = whitecap_scene::open(named::DEFAULT).unwrap();
+    let drawn_by = scene.technique.word();
     let mut scene: Table = scene.to_toml().unwrap().parse().unwrap();
+    if technique != drawn_by {
+        scene.insert("technique".to_owned(), technique.into());
+        scene.remove(drawn_by);
+        scene.insert("sea".to_owned(), Table::new().into());
+        scene.insert(technique.to_owned(), Table::new().into());
+    }
+    scene
+}
+
+/// The technique that draws the sea of this model.
+fn drawn_with(model: &str) -> &'static str {
+    let draws = |word: &str| {
+        let toml = scene_drawn_by(word).to_string();
+        Scene::from_toml(&toml, word).unwrap().technique.sea_models().contains(&model)
+    };
+    technique::ALL.iter().map(|technique| technique.word).find(|word| draws(word)).unwrap()
+}
+
+/// A scene in which the table of `doc` is there with the kind that has the key.
+fn scene_with_table_of(doc: &KeyDoc) -> Table {
+    let mut scene = match (doc.table.as_str(), doc.only_with) {
+        ("sea", Some((_, model))) => scene_drawn_by(drawn_with(model)),
+        ("sea.wave[]", _) => scene_drawn_by(drawn_with("sines")),
+        (table, _) if technique::ALL.iter().any(|technique| technique.word == table) => scene_drawn_by(table),
+        _ => whitecap_scene::open(named::DEFAULT).unwrap().to_toml().unwrap().parse().unwrap(),
+    };
+    if doc.table == "sea.wave[]" {
+        let wave = || -> Table {
+            "height = 1.0\nspeed_turns_per_s = 0.2\ndirection_per_uv = [0.5, 0.1]".parse().unwrap()
+        };
+        let sea = scene["sea"].as_table_mut().unwrap();
+        sea.insert("wave".to_owned(), (0..4).map(|_| wave()).collect::<Vec<_>>().into());
+    }
+    if doc.table == "object[]" {
+        let mut object = Table::new();
+        if doc.key != "file" {
+            object.insert("mesh".to_owned(), "duck".into());
+        }
+        scene.insert("object".to_owned(), vec![object].into());
+    }
     if let Some((tag, word)) = doc.only_with {
         let table = table_of(doc, &mut scene);
-        if table[tag].as_str() != Some(word) {
+        if table.get(tag).and_then(Value::as_str) != Some(word) {
             table.clear();
             table.insert(tag.to_owned(), word.into());
         }
@@ -35,6 +76,8 @@ fn table_of<'a>(doc: &KeyDoc, scene: &'a mut Table) -> &'a mut Table {
     match doc.table.as_str() {
         "" => scene,
         "sea.system[]" => scene["sea"]["system"][0].as_table_mut().unwrap(),
+        "sea.wave[]" => scene["sea"]["wave"][0].as_table_mut().unwrap(),
+        "object[]" => scene["object"][0].as_table_mut().unwrap(),
         name => scene[name].as_table_mut().unwrap(),
     }
 }
@@ -55,6 +98,8 @@ fn values(accepts: &Accepts) -> Vec<Value> {
         Accepts::Integers(integers) => integers.iter().map(|n| integer(u64::from(*n))).collect(),
         Accepts::Words(words) => words.iter().map(|word| Value::from(*word)).collect(),
         Accepts::Colour { min, max, .. } => vec![array([*min; 3]), array([*max; 3])],
+        Accepts::Pair { min, max, .. } => vec![vec![*min, *max].into(), vec![*max, *min].into()],
+        Accepts::Flag => vec![false.into(), true.into()],
         Accepts::Point { min, max } => vec![array(*min), array(*max)],
         Accepts::File => vec!["sky.exr".into()],
         _ => vec![],
@@ -75,6 +120,10 @@ fn outside(accepts: &Accepts) -> Vec<Value> {
         Accepts::Colour { min, max, .. } => {
             vec![vec![*min, *min, max.next_up()].into(), vec![min.next_down(), *min, *min].into()]
         }
+        Accepts::Pair { min, max, .. } => {
+            vec![vec![*min, max.next_up()].into(), vec![*min].into(), vec![*min; 3].into()]
+        }
+        Accepts::Flag => vec![1.into(), "true".into()],
         Accepts::Point { max: [x, y, z], .. } => vec![vec![*x, y.next_up(), *z].into()],
         Accepts::File => vec!["".into(), "a\0b".into()],
         _ => vec![],
@@ -106,7 +155,8 @@ fn every_documented_value_is_accepted() {
 #[test]
 fn every_other_value_is_refused() {
     for doc in reference() {
-        for value in outside(&doc.accepts).into_iter().chain([true.into(), Table::new().into()]) {
+        let wrong_type = if doc.accepts == Accepts::Flag { Value::from("yes") } else { true.into() };
+        for value in outside(&doc.accepts).into_iter().chain([wrong_type, Table::new().into()]) {
             let error = read_with(&doc, value).unwrap_err();
             assert!(is_about(&error, &doc), "{error}");
         }
@@ -139,7 +189,7 @@ fn the_readers_accept_no_other_keys() {
             .collect();
         if doc.table.is_empty() {
             let tables = reference().filter(|other| !other.table.is_empty() && !other.table.contains('.'));
-            documented.extend(tables.map(|other| other.table));
+            documented.extend(tables.map(|other| other.table.trim_end_matches("[]").to_owned()));
         }
         let error = Scene::from_toml(&scene.to_string(), "any").unwrap_err();
         let accepted = error.problem().split("accepted here: ").nth(1).unwrap().split(", ");
@@ -177,7 +227,7 @@ fn words_are_unique() {
     check(named::ALL.iter().map(|it| it.name).collect());
     // A technique's table stands beside these.
     for technique in technique::ALL {
-        assert!(!["technique", "seed", "sea", "sky", "camera"].contains(&technique.word));
+        assert!(!["technique", "seed", "sea", "sky", "camera", "object"].contains(&technique.word));
     }
 }
 
@@ -191,6 +241,9 @@ fn any_value(accepts: &Accepts) -> BoxedStrategy<Value> {
         }
         Accepts::Colour { min, max, .. } => {
             prop::collection::vec(between(*min, *max), 3).prop_map(Value::from).boxed()
+        }
+        Accepts::Pair { min, max, .. } => {
+            prop::collection::vec(between(*min, *max), 2).prop_map(Value::from).boxed()
         }
         Accepts::Point { min: [a, b, c], max: [x, y, z] } => {
             (between(*a, *x), between(*b, *y), between(*c, *z))

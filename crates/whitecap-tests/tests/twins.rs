@@ -2,9 +2,8 @@
 #![allow(clippy::unwrap_used)] // a test that cannot go on should stop
 
 use glam::{Vec2, Vec3};
-use wgpu::util::DeviceExt;
 use whitecap_render::environment::linear_from_display;
-use whitecap_render::gpu::read_buffer;
+use whitecap_render::gpu::for_tests::compute;
 use whitecap_render::shader_lib;
 use whitecap_render::technique::meshuggah::normals::{bump_frame, world_from_bump};
 use whitecap_tests::adapter::gpu;
@@ -13,43 +12,7 @@ use whitecap_waves::optics::{curvature_drop_m, exposure_split, fresnel_jensen_go
 /// Runs `twins.wesl` on inputs of two vectors and gives back three for each.
 fn run(inputs: &[[[f32; 4]; 2]]) -> Option<Vec<[[f32; 4]; 3]>> {
     let gpu = gpu()?;
-    let (device, queue) = (&gpu.device, &gpu.queue);
-    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: None,
-        layout: None,
-        module: &shader_lib::TWINS.module(device),
-        entry_point: Some("cs_run"),
-        compilation_options: Default::default(),
-        cache: None,
-    });
-    let input = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-        label: None,
-        contents: bytemuck::cast_slice(inputs),
-        usage: wgpu::BufferUsages::STORAGE,
-    });
-    let output = device.create_buffer(&wgpu::BufferDescriptor {
-        label: None,
-        size: inputs.len() as u64 * 48,
-        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
-        mapped_at_creation: false,
-    });
-    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: None,
-        layout: &pipeline.get_bind_group_layout(0),
-        entries: &[
-            wgpu::BindGroupEntry { binding: 0, resource: input.as_entire_binding() },
-            wgpu::BindGroupEntry { binding: 1, resource: output.as_entire_binding() },
-        ],
-    });
-    let mut encoder = device.create_command_encoder(&Default::default());
-    {
-        let mut pass = encoder.begin_compute_pass(&Default::default());
-        pass.set_pipeline(&pipeline);
-        pass.set_bind_group(0, &group, &[]);
-        pass.dispatch_workgroups((inputs.len() as u32).div_ceil(64), 1, 1);
-    }
-    queue.submit([encoder.finish()]);
-    Some(bytemuck::pod_collect_to_vec(&read_buffer(device, queue, &output).unwrap()))
+    Some(compute(gpu, &shader_lib::TWINS, "cs_run", inputs))
 }
 
 fn assert_near(seen: f32, expected: f64, what: &str) {

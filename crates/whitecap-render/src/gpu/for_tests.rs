@@ -3,7 +3,8 @@
 use std::io::Write;
 use std::sync::OnceLock;
 
-use super::Gpu;
+use super::{Gpu, read_buffer};
+use crate::shader_lib::Shader;
 
 /// Set by `cargo xtask test`: a machine without an adapter then fails the GPU tests instead of skipping them.
 pub const REQUIRE: &str = "WHITECAP_REQUIRE_ADAPTER";
@@ -29,6 +30,58 @@ pub fn gpu() -> Option<&'static Gpu> {
             None
         }
     }
+}
+
+/// Runs `entry` of a compute shader once for each of `inputs` (64 to a workgroup) and reads what it wrote: group
+/// 0 holds the inputs at binding 0 and as many outputs at binding 1, both as storage buffers.
+///
+/// # Panics
+///
+/// If the device fails.
+pub fn compute<I: bytemuck::Pod, O: bytemuck::Pod>(
+    gpu: &Gpu,
+    shader: &Shader,
+    entry: &str,
+    inputs: &[I],
+) -> Vec<O> {
+    let (device, queue) = (&gpu.device, &gpu.queue);
+    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: Some(shader.name),
+        layout: None,
+        module: &shader.module(device),
+        entry_point: Some(entry),
+        compilation_options: Default::default(),
+        cache: None,
+    });
+    let buffer = |size: usize, usage| {
+        device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(shader.name),
+            size: size as u64,
+            usage: usage | wgpu::BufferUsages::STORAGE,
+            mapped_at_creation: false,
+        })
+    };
+    let input = buffer(size_of_val(inputs), wgpu::BufferUsages::COPY_DST);
+    queue.write_buffer(&input, 0, bytemuck::cast_slice(inputs));
+    let output = buffer(inputs.len() * size_of::<O>(), wgpu::BufferUsages::COPY_SRC);
+    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some(shader.name),
+        layout: &pipeline.get_bind_group_layout(0),
+        entries: &[
+            wgpu::BindGroupEntry { binding: 0, resource: input.as_entire_binding() },
+            wgpu::BindGroupEntry { binding: 1, resource: output.as_entire_binding() },
+        ],
+    });
+    let mut encoder = device.create_command_encoder(&Default::default());
+    {
+        let mut pass = encoder.begin_compute_pass(&Default::default());
+        pass.set_pipeline(&pipeline);
+        pass.set_bind_group(0, &group, &[]);
+        pass.dispatch_workgroups((inputs.len() as u32).div_ceil(64), 1, 1);
+    }
+    queue.submit([encoder.finish()]);
+    let bytes = read_buffer(device, queue, &output).expect("the device answers");
+    bytemuck::pod_collect_to_vec(&bytes)
 }
 
 fn open() -> Result<Gpu, String> {

@@ -6,6 +6,7 @@ mod adapter;
 mod error;
 pub mod for_tests;
 mod read_back;
+pub(crate) mod resources;
 
 pub use adapter::{AdapterDescription, list_adapters};
 pub use error::{RenderError, checked};

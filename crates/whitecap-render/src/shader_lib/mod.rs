@@ -27,6 +27,8 @@ macro_rules! shaders {
 shaders! {
     /// The sky behind everything.
     SKY = "sky";
+    /// What stands or floats in the water.
+    OBJECTS = "objects";
     /// The Meshuggah ocean.
     MESHUGGAH = "meshuggah";
     /// The same, shaded once for each sample instead of once for each pixel.

@@ -1,5 +1,6 @@
 //! A tile of sea as textures: displacement and slopes for vertices, normals with mips for pixels.
 
+use crate::gpu::resources::{texture_2d, write_level};
 use crate::{RenderError, gpu::checked};
 use glam::DVec2;
 use half::f16;
@@ -90,15 +91,15 @@ impl TileMaps {
                 [x, y, z, 0.0]
             })
             .collect();
-        write(queue, &self.displacement, 0, bytemuck::cast_slice(&displacement));
+        write_level(queue, &self.displacement, 0, bytemuck::cast_slice(&displacement));
         let slopes: Vec<[f32; 2]> =
             (0..mesh * mesh).into_par_iter().map(|i| slope_of(fields.normal(sample(i)))).collect();
-        write(queue, &self.slopes, 0, bytemuck::cast_slice(&slopes));
+        write_level(queue, &self.slopes, 0, bytemuck::cast_slice(&slopes));
 
         let mut level = NormalLevel::of(fields);
         for mip in 0..=n.ilog2() {
             self.lost_variance[mip as usize] = level.mean_lost_variance();
-            write(queue, &self.normals, mip, bytemuck::cast_slice(&level.texels()));
+            write_level(queue, &self.normals, mip, bytemuck::cast_slice(&level.texels()));
             if mip < n.ilog2() {
                 level = level.halved();
             }
@@ -218,30 +219,7 @@ fn texture(
     levels: u32,
     format: wgpu::TextureFormat,
 ) -> wgpu::Texture {
-    device.create_texture(&wgpu::TextureDescriptor {
-        label: Some(label),
-        size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: 1 },
-        mip_level_count: levels,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
-        view_formats: &[],
-    })
-}
-
-fn write(queue: &wgpu::Queue, texture: &wgpu::Texture, mip_level: u32, texels: &[u8]) {
-    let side = texture.width() >> mip_level;
-    queue.write_texture(
-        wgpu::TexelCopyTextureInfo { mip_level, ..texture.as_image_copy() },
-        texels,
-        wgpu::TexelCopyBufferLayout {
-            offset: 0,
-            bytes_per_row: Some(texels.len() as u32 / side),
-            rows_per_image: None,
-        },
-        wgpu::Extent3d { width: side, height: side, depth_or_array_layers: 1 },
-    );
+    texture_2d(device, label, [side, side], levels, format, wgpu::TextureUsages::COPY_DST)
 }
 
 #[cfg(test)]

@@ -4,11 +4,17 @@
 //! [`build`]. Its settings are a file in `whitecap-scene/src/technique/`, whose registry gives the
 //! scene file, the command line and the tests its name.
 
+pub mod five_sample;
 pub mod meshuggah;
+pub mod ocean_water;
+pub mod projected_grid;
+pub mod rippling_lake;
 
+use crate::pass::Objects;
+use crate::timing::PassTimer;
 use crate::uniforms::Shared;
 use crate::{RenderError, View};
-use whitecap_scene::Scene;
+use whitecap_scene::{Scene, Technique as Settings};
 
 /// Everything that a technique may use to make one frame.
 pub struct Frame<'a> {
@@ -22,6 +28,22 @@ pub struct Frame<'a> {
     pub views: &'a [View],
     /// Simulation time, seconds.
     pub time_s: f64,
+    /// Bind groups 0 and 1.
+    pub(crate) shared: &'a Shared,
+    /// What stands or floats in the water, in its place at `time_s`.
+    pub(crate) objects: &'a Objects,
+    /// Who wants to know how long each pass takes.
+    pub(crate) timer: Option<&'a mut PassTimer>,
+}
+
+impl Frame<'_> {
+    /// Says that the pass called `name` ends here: what was done since the last call was its work. Where passes
+    /// are timed the device is waited for; otherwise nothing happens.
+    pub(crate) fn end_of_pass(&mut self, name: &'static str) {
+        if let Some(timer) = &mut self.timer {
+            timer.end_of_pass(self.device, self.queue, self.encoder, name);
+        }
+    }
 }
 
 /// A way to draw water.
@@ -39,6 +61,12 @@ pub trait Technique: Send + Sync {
     /// Draws the water as `frame.views[view]` of the last [`Technique::prepare`] sees it. Groups 0
     /// and 1 are bound.
     fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize);
+
+    /// Draws the sky behind everything, if the technique has one of its own; the answer is whether it has. Groups
+    /// 0 and 1 are bound.
+    fn draw_sky(&self, _pass: &mut wgpu::RenderPass<'_>, _view: usize) -> bool {
+        false
+    }
 }
 
 /// What a technique is built from.
@@ -51,12 +79,21 @@ pub struct Build<'a> {
     pub scene: &'a Scene,
     /// Bind groups 0 and 1, and the target.
     pub(crate) shared: &'a Shared,
+    /// What stands or floats in the water.
+    pub(crate) objects: &'a Objects,
     /// Irradiance on the sea, linear, per channel.
     pub irradiance: glam::Vec3,
     /// Display brightness of the sky against a day's, see [`crate::environment::Environment::daylight`].
     pub daylight: f32,
-    /// Cosine of the sun's angle to the zenith, 1 under a sky without a known sun.
-    pub sun_cos: f32,
+    /// Unit vector towards the sun; straight up under a sky without a known sun.
+    pub toward_sun: glam::Vec3,
+}
+
+impl Build<'_> {
+    /// Whether a processor does the drawing: then triangles and filtered samples are dear.
+    pub(crate) fn is_software(&self) -> bool {
+        self.device.adapter_info().device_type == wgpu::DeviceType::Cpu
+    }
 }
 
 /// The technique that the scene names.
@@ -65,10 +102,21 @@ pub struct Build<'a> {
 ///
 /// When its sea cannot be built or the device cannot hold it.
 pub fn build(build: &Build<'_>) -> Result<Box<dyn Technique>, RenderError> {
-    match &build.scene.technique {
-        whitecap_scene::Technique::Meshuggah(settings) => {
-            Ok(Box::new(meshuggah::Meshuggah::new(build, settings)?))
-        }
-        other => Err(RenderError::Unsupported { what: format!("the technique {}", other.word()) }),
+    Ok(match &build.scene.technique {
+        Settings::OceanWater(settings) => Box::new(ocean_water::OceanWater::new(build, settings)?),
+        Settings::RipplingLake(settings) => Box::new(rippling_lake::RipplingLake::new(build, settings)?),
+        Settings::ProjectedGrid(settings) => Box::new(projected_grid::ProjectedGrid::new(build, settings)?),
+        Settings::Meshuggah(settings) => Box::new(meshuggah::Meshuggah::new(build, settings)?),
+        Settings::FiveSample(settings) => Box::new(five_sample::FiveSample::new(build, settings)?),
+        other => return Err(RenderError::Unsupported { what: format!("the technique {}", other.word()) }),
+    })
+}
+
+/// A scene whose sea is not of a kind that its technique draws: reading a file refuses it, so it was put
+/// together in memory.
+pub(crate) fn wrong_sea(build: &Build<'_>) -> RenderError {
+    let Scene { technique, sea, .. } = build.scene;
+    RenderError::Unsupported {
+        what: format!("a sea of model \"{}\" for the technique {}", sea.model.word(), technique.word()),
     }
 }

@@ -37,6 +37,17 @@ pub enum Accepts {
         /// The unit of each; empty for a pure number.
         unit: &'static str,
     },
+    /// Two numbers, each within the bounds.
+    Pair {
+        /// The least of each.
+        min: f64,
+        /// The greatest of each.
+        max: f64,
+        /// The unit of each; empty for pure numbers.
+        unit: &'static str,
+    },
+    /// `true` or `false`.
+    Flag,
     /// A place `[x, y, z]` in metres: x east, y up, z south.
     Point {
         /// The least of each axis.
@@ -65,6 +76,8 @@ impl Accepts {
             Self::Integer { .. } | Self::Integers(_) => "an integer",
             Self::Words(_) | Self::File => "a string",
             Self::Colour { .. } | Self::Point { .. } => "an array of 3 numbers",
+            Self::Pair { .. } => "an array of 2 numbers",
+            Self::Flag => "a boolean",
             Self::Tables { .. } => "an array of tables",
         }
     }
@@ -72,7 +85,7 @@ impl Accepts {
     /// The unit of the value; empty if it has none.
     pub fn unit(&self) -> &'static str {
         match self {
-            Self::Real { unit, .. } | Self::Colour { unit, .. } => unit,
+            Self::Real { unit, .. } | Self::Colour { unit, .. } | Self::Pair { unit, .. } => unit,
             Self::Point { .. } => "m",
             _ => "",
         }
@@ -90,6 +103,8 @@ impl fmt::Display for Accepts {
             }
             Self::Words(words) => f.write_str(&quoted_list(words)),
             Self::Colour { min, max, .. } => write!(f, "[red, green, blue], each {min} to {max}{unit}"),
+            Self::Pair { min, max, .. } => write!(f, "[first, second], each {min} to {max}{unit}"),
+            Self::Flag => f.write_str("true, false"),
             Self::Point { min: [x, y, z], max: [to_x, to_y, to_z] } => {
                 write!(f, "[x, y, z], x {x} to {to_x}, y {y} to {to_y}, z {z} to {to_z}{unit}")
             }

@@ -69,6 +69,7 @@ macro_rules! table {
             pub(crate) fn read_keys(
                 table: &$crate::reader::TableReader<'_>,
             ) -> Result<Self, $crate::error::SceneError> {
+                let _ = table; // some tables have no keys
                 Ok(Self { $( $field: table.read(stringify!($field), &$entry)?, )* })
             }
 

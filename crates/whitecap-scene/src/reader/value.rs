@@ -35,6 +35,11 @@ impl<'a> ValueReader<'a> {
         Some(i128::from_str_radix(integer.as_str(), integer.radix()).unwrap_or(i128::MAX))
     }
 
+    /// `true` or `false`.
+    pub(crate) fn flag(&self) -> Option<bool> {
+        self.value.get_ref().as_bool()
+    }
+
     /// A string.
     pub(crate) fn string(&self) -> Option<&'a str> {
         self.value.get_ref().as_str()

@@ -1,15 +1,25 @@
-//! The sea: which model moves it, and the wave systems it is made of.
+//! The sea: which model moves it, and the waves that it is made of.
 
+mod calm;
+mod perlin;
+mod sines;
 mod spectral;
+mod surface;
 pub mod system;
+mod wave;
 
-use whitecap_waves::model::WaveModel;
-
+pub use calm::CalmSettings;
+pub use perlin::PerlinSettings;
+pub use sines::{SinesSettings, Taylor};
 pub use spectral::{Amplitudes, SpectralSettings};
+pub use surface::SeaSurface;
+pub use wave::Wave;
+
+pub(crate) use wave::KEYS as WAVE_KEYS;
 
 use crate::error::SceneError;
 use crate::reader::TableReader;
-use crate::registry::{Registered, Tag};
+use crate::registry::{Registered, Tag, TagDefault};
 
 /// The sea, the table `[sea]`. It serialises as that table.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -26,22 +36,43 @@ pub struct Sea {
 pub enum SeaModel {
     /// Waves drawn from spectra, transformed on a periodic tile.
     Spectral(SpectralSettings),
+    /// Four sines.
+    Sines(SinesSettings),
+    /// Animated Perlin noise.
+    Perlin(PerlinSettings),
+    /// No waves at all.
+    Calm(CalmSettings),
 }
 
 /// Every sea model.
-pub const MODELS: &[Registered<SeaModel>] = &[spectral::REGISTERED];
+pub const MODELS: &[Registered<SeaModel>] =
+    &[spectral::REGISTERED, sines::REGISTERED, perlin::REGISTERED, calm::REGISTERED];
 
 pub(crate) const TAG: Tag<SeaModel> = Tag {
     key: "model",
     noun: "sea model",
-    doc: "What moves the surface.",
-    default: Some("spectral"),
+    doc: "What moves the surface. Each technique draws models of its own.",
+    default: TagDefault::Decided("the technique's first"),
     all: MODELS,
 };
 
+impl SeaModel {
+    /// The model's word in scene files.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Spectral(_) => spectral::REGISTERED.word,
+            Self::Sines(_) => sines::REGISTERED.word,
+            Self::Perlin(_) => perlin::REGISTERED.word,
+            Self::Calm(_) => calm::REGISTERED.word,
+        }
+    }
+}
+
 impl Sea {
-    pub(crate) fn read(table: &TableReader<'_>) -> Result<Self, SceneError> {
-        table.tagged(&TAG).map(|model| Self { model })
+    /// Reads the sea of a technique that draws `models`; the first is meant where the file names none.
+    pub(crate) fn read(table: &TableReader<'_>, models: &[&'static str]) -> Result<Self, SceneError> {
+        let first = models.first().copied().unwrap_or("spectral");
+        table.tagged(&TAG.or(first)).map(|model| Self { model })
     }
 
     /// The moving surface itself. Equal settings and seeds give equal surfaces.
@@ -50,9 +81,12 @@ impl Sea {
     ///
     /// If the settings contradict each other, such as waves that do not fit their tile. A scene that was read
     /// from a file has been built once, so it builds again.
-    pub fn build(&self, seed: u64) -> Result<Box<dyn WaveModel>, SceneError> {
+    pub fn build(&self, seed: u64) -> Result<SeaSurface, SceneError> {
         match &self.model {
             SeaModel::Spectral(settings) => settings.build(seed),
+            SeaModel::Sines(settings) => settings.build(),
+            SeaModel::Perlin(settings) => settings.build(seed),
+            SeaModel::Calm(settings) => Ok(settings.build()),
         }
     }
 }

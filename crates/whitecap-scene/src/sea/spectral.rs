@@ -1,10 +1,9 @@
 //! Settings of a sea drawn from spectra and moved by a Fourier transform.
 
 use whitecap_waves::ParameterError;
-use whitecap_waves::model::WaveModel;
 use whitecap_waves::model::spectral::{self, SpectralSea, SpectralSeaParameters};
 
-use super::SeaModel;
+use super::{SeaModel, SeaSurface};
 use super::system::{System, Systems};
 use crate::error::SceneError;
 use crate::key::{OneOf, PowerOfTwo, Real, or, required, table, words};
@@ -44,7 +43,7 @@ table! {
 }
 
 impl SpectralSettings {
-    pub(super) fn build(&self, seed: u64) -> Result<Box<dyn WaveModel>, SceneError> {
+    pub(super) fn build(&self, seed: u64) -> Result<SeaSurface, SceneError> {
         let systems = self.system.iter().enumerate().map(|(index, system)| {
             let key = |field: &str| format!("sea.system[{index}].{field}");
             system.build().map_err(|error| problem(&error, key))
@@ -61,7 +60,7 @@ impl SpectralSettings {
             },
         };
         match SpectralSea::new(parameters, &systems) {
-            Ok(sea) => Ok(Box::new(sea)),
+            Ok(sea) => Ok(SeaSurface::Tile(Box::new(sea))),
             Err(error) => Err(problem(&error, |field| format!("sea.{field}"))),
         }
     }

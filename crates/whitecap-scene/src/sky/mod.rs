@@ -9,7 +9,7 @@ pub use panorama::PanoramaSky;
 use crate::error::SceneError;
 use crate::key::Real;
 use crate::reader::TableReader;
-use crate::registry::{Registered, Tag};
+use crate::registry::{Registered, Tag, TagDefault};
 
 /// The sky, the table `[sky]`. It serialises as that table.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -26,7 +26,7 @@ pub enum Sky {
 pub const ALL: &[Registered<Sky>] = &[atmosphere::REGISTERED, panorama::REGISTERED];
 
 pub(crate) const TAG: Tag<Sky> =
-    Tag { key: "kind", noun: "sky", doc: "What the sky is.", default: Some("atmosphere"), all: ALL };
+    Tag { key: "kind", noun: "sky", doc: "What the sky is.", default: TagDefault::Word("atmosphere"), all: ALL };
 
 /// The exposure of either sky.
 const EXPOSURE_EV: Real = Real { unit: "EV", min: -20.0, max: 20.0 };

@@ -1,30 +1,53 @@
 //! How the water is drawn: one technique with settings of its own, in a table named after it.
 
+mod five_sample;
 mod meshuggah;
+mod ocean_water;
+mod projected_grid;
+mod rippling_lake;
 
+pub use five_sample::FiveSample;
 pub use meshuggah::{FresnelForm, Meshuggah, WaterColor};
+pub use ocean_water::OceanWater;
+pub use projected_grid::ProjectedGrid;
+pub use rippling_lake::RipplingLake;
 
 use crate::error::SceneError;
 use crate::reader::TableReader;
-use crate::registry::{Registered, Tag};
+use crate::registry::{Registered, Tag, TagDefault};
 
 /// A way to draw water, with its settings.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[serde(untagged)]
 #[non_exhaustive]
 pub enum Technique {
+    /// ATI's ocean of 2002.
+    OceanWater(OceanWater),
+    /// ATI's lake of 2002.
+    RipplingLake(RipplingLake),
+    /// Johanson's projected grid of 2004.
+    ProjectedGrid(ProjectedGrid),
     /// Wenzel's ocean of 2002.
     Meshuggah(Meshuggah),
+    /// Berglund's shader.
+    FiveSample(FiveSample),
 }
 
 /// Every technique.
-pub const ALL: &[Registered<Technique>] = &[meshuggah::REGISTERED];
+pub const ALL: &[Registered<Technique>] = &[
+    ocean_water::REGISTERED,
+    rippling_lake::REGISTERED,
+    projected_grid::REGISTERED,
+    meshuggah::REGISTERED,
+    five_sample::REGISTERED,
+];
 
 /// The top-level key that names the technique.
 pub(crate) const TAG: Tag<Technique> = Tag {
     key: "technique",
     noun: "technique",
     doc: "How the water is drawn; the technique's settings are in the table of its name.",
-    default: Some("meshuggah"),
+    default: TagDefault::Word("meshuggah"),
     all: ALL,
 };
 
@@ -32,7 +55,21 @@ impl Technique {
     /// The technique's word in scene files, which is also the name of its table.
     pub fn word(&self) -> &'static str {
         match self {
+            Self::OceanWater(_) => ocean_water::REGISTERED.word,
+            Self::RipplingLake(_) => rippling_lake::REGISTERED.word,
+            Self::ProjectedGrid(_) => projected_grid::REGISTERED.word,
             Self::Meshuggah(_) => meshuggah::REGISTERED.word,
+            Self::FiveSample(_) => five_sample::REGISTERED.word,
+        }
+    }
+
+    /// The words of the sea models that it draws, the one that it is made for first.
+    pub fn sea_models(&self) -> &'static [&'static str] {
+        match self {
+            Self::OceanWater(_) | Self::RipplingLake(_) => &["sines"],
+            Self::ProjectedGrid(_) => &["perlin"],
+            Self::Meshuggah(_) => &["spectral"],
+            Self::FiveSample(_) => &["calm"],
         }
     }
 

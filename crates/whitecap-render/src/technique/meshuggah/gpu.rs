@@ -3,6 +3,7 @@
 use super::super::Build;
 use crate::environment::display_from_linear;
 use crate::geometry::TiledGrid;
+use crate::gpu::resources::{self, PipelineRequest, buffer, linear_sampler};
 use crate::shader_lib;
 use crate::surface::TileMaps;
 use crate::uniforms::{ViewSlots, sampler_entry, texture_entry};
@@ -95,22 +96,13 @@ impl Pipeline {
         let layout = group_layout(device);
         let group = bind_group(build, &layout, maps, slots, colors);
         let pipeline = pipeline(build, &layout);
-        // Not `create_buffer_init`: it panics where the device has no memory left.
-        let buffer = |contents: &[u8], usage| {
-            let buffer = device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some("grid"),
-                size: contents.len() as u64,
-                usage: usage | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            });
-            build.queue.write_buffer(&buffer, 0, contents);
-            buffer
-        };
+        let vertices = bytemuck::cast_slice(&grid.vertices);
+        let indices = bytemuck::cast_slice(&grid.indices);
         Pipeline {
             pipeline,
             group,
-            vertices: buffer(bytemuck::cast_slice(&grid.vertices), wgpu::BufferUsages::VERTEX),
-            indices: buffer(bytemuck::cast_slice(&grid.indices), wgpu::BufferUsages::INDEX),
+            vertices: buffer(device, build.queue, "grid", vertices, wgpu::BufferUsages::VERTEX),
+            indices: buffer(device, build.queue, "grid", indices, wgpu::BufferUsages::INDEX),
             index_count: grid.indices.len() as u32,
         }
     }
@@ -169,17 +161,7 @@ pub(super) fn bind_group(
         bytemuck::cast_slice(colors),
     );
     let table = view(&table);
-    let sampler = |address: wgpu::AddressMode| {
-        device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("meshuggah"),
-            address_mode_u: address,
-            address_mode_v: address,
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            mipmap_filter: wgpu::MipmapFilterMode::Linear,
-            ..Default::default()
-        })
-    };
+    let sampler = |address| linear_sampler(device, "meshuggah", address);
     let (repeat, clamp) = (sampler(wgpu::AddressMode::Repeat), sampler(wgpu::AddressMode::ClampToEdge));
     use wgpu::BindingResource::{Sampler, TextureView};
     let resources = [
@@ -191,51 +173,25 @@ pub(super) fn bind_group(
         TextureView(&table),
         Sampler(&clamp),
     ];
-    let entries: Vec<_> = resources
-        .into_iter()
-        .enumerate()
-        .map(|(i, resource)| wgpu::BindGroupEntry { binding: i as u32, resource })
-        .collect();
-    device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("meshuggah"),
-        layout,
-        entries: &entries,
-    })
+    resources::bind_group(device, "meshuggah", layout, resources)
 }
 
 fn pipeline(build: &Build<'_>, group: &wgpu::BindGroupLayout) -> wgpu::RenderPipeline {
     let (device, shared) = (build.device, build.shared);
     let per_sample = shared.target.sample_shading && shared.target.sample_count > 1;
     let shader = if per_sample { shader_lib::MESHUGGAH_PER_SAMPLE } else { shader_lib::MESHUGGAH };
-    let module = shader.module(device);
-    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label: Some("meshuggah"),
-        bind_group_layouts: &[Some(&shared.view_layout), Some(&shared.environment_layout), Some(group)],
-        immediate_size: 0,
-    });
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("meshuggah"),
-        layout: Some(&layout),
-        vertex: wgpu::VertexState {
-            module: &module,
-            entry_point: Some("vs_main"),
-            compilation_options: Default::default(),
-            buffers: &[Some(wgpu::VertexBufferLayout {
-                array_stride: 8,
-                step_mode: wgpu::VertexStepMode::Vertex,
-                attributes: &wgpu::vertex_attr_array![0 => Float32x2],
-            })],
-        },
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: Some(shared.target.depth_state(true)),
+    let request = PipelineRequest {
+        label: "meshuggah",
+        shader: &shader,
+        groups: &[Some(&shared.view_layout), Some(&shared.environment_layout), Some(group)],
+        vertices: &[Some(wgpu::VertexBufferLayout {
+            array_stride: 8,
+            step_mode: wgpu::VertexStepMode::Vertex,
+            attributes: &wgpu::vertex_attr_array![0 => Float32x2],
+        })],
+        color: shared.target.color,
+        depth: Some(shared.target.depth_state(true)),
         multisample: shared.target.multisample(),
-        fragment: Some(wgpu::FragmentState {
-            module: &module,
-            entry_point: Some("fs_main"),
-            compilation_options: Default::default(),
-            targets: &[Some(shared.target.color.into())],
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
+    };
+    request.create(device)
 }

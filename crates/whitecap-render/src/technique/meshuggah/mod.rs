@@ -13,7 +13,7 @@
 mod gpu;
 pub mod normals;
 
-use super::{Build, Frame, Technique};
+use super::{Build, Frame, Technique, wrong_sea};
 use crate::RenderError;
 use crate::geometry::TiledGrid;
 use crate::surface::TileMaps;
@@ -21,6 +21,7 @@ use crate::uniforms::ViewSlots;
 use crate::view::View;
 use glam::{DVec2, DVec3};
 use gpu::{GpuMeshuggah, Pipeline, WATER_COLORS, water_colors};
+use whitecap_scene::sea::SeaSurface;
 use whitecap_scene::technique as settings;
 
 /// The apron reaches this far, metres: beyond the horizon of a viewer at 100 km.
@@ -41,12 +42,14 @@ pub(super) struct Meshuggah {
 
 impl Meshuggah {
     pub(super) fn new(build: &Build<'_>, settings: &settings::Meshuggah) -> Result<Meshuggah, RenderError> {
-        let model = build.scene.sea.build(build.scene.seed)?;
+        let SeaSurface::Tile(model) = build.scene.sea.build(build.scene.seed)? else {
+            return Err(wrong_sea(build));
+        };
         let maps = TileMaps::new(build.device, model, settings.tile_repeats)?;
         let cells = maps.mesh_samples() as u32 * settings.tile_repeats;
         let grid = TiledGrid::new(cells, (REACH_M / maps.cell_m()) as f32);
         let slots = ViewSlots::new(build.device, "meshuggah");
-        let colors = water_colors(settings, build.irradiance, build.sun_cos);
+        let colors = water_colors(settings, build.irradiance, build.toward_sun.y.max(0.0));
         debug_assert_eq!(colors.len(), WATER_COLORS);
         let pipeline = Pipeline::new(build, &grid, &maps, &slots, &colors);
         Ok(Meshuggah { settings: settings.clone(), daylight: build.daylight, maps, slots, pipeline })
@@ -102,6 +105,7 @@ impl Meshuggah {
 impl Technique for Meshuggah {
     fn prepare(&mut self, frame: &mut Frame<'_>) -> Result<(), RenderError> {
         self.maps.update(frame.queue, frame.time_s);
+        frame.end_of_pass("sea");
         for (i, view) in frame.views.iter().enumerate() {
             self.slots.write(frame.queue, i, &self.uniforms(view));
         }

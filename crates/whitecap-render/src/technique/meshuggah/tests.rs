@@ -3,11 +3,14 @@ use super::*;
 use crate::environment::Environment;
 use crate::gpu::for_tests::gpu;
 use crate::shader_lib::{self, layout::assert_layout};
+use crate::pass::Objects;
 use crate::uniforms::Shared;
 use crate::{TargetFormat, gpu::read_buffer};
 use glam::{Vec2, Vec3};
 use wgpu::util::DeviceExt;
 use whitecap_scene::Scene;
+
+const TOWARD_SUN: Vec3 = Vec3::new(0.954, 0.3, 0.0);
 
 #[test]
 fn rust_and_wgsl_agree_about_layout() {
@@ -42,6 +45,7 @@ fn rust_and_wgsl_agree_about_layout() {
 struct Fixture {
     scene: Scene,
     shared: Shared,
+    objects: Objects,
     technique: Meshuggah,
 }
 
@@ -53,18 +57,21 @@ fn with_fixture(edit: impl Fn(&mut String), test: impl Fn(&wgpu::Device, &wgpu::
     let scene = Scene::from_toml(&toml, "test.toml").unwrap();
     let environment = Environment::new(&scene).unwrap();
     let shared = Shared::new(device, queue, &environment, TargetFormat::default());
+    let objects = Objects::new(device, queue, &scene).unwrap();
     let whitecap_scene::Technique::Meshuggah(settings) = &scene.technique else { panic!() };
     let build = Build {
         device,
         queue,
         scene: &scene,
         shared: &shared,
+        objects: &objects,
         irradiance: Vec3::ONE,
         daylight: 1.0,
-        sun_cos: 0.3,
+        toward_sun: TOWARD_SUN,
     };
+
     let technique = Meshuggah::new(&build, settings).unwrap();
-    test(device, queue, Fixture { scene, shared, technique });
+    test(device, queue, Fixture { scene, shared, objects, technique });
 }
 
 fn view_from(eye_m: DVec3) -> View {
@@ -84,8 +91,9 @@ fn read_vertices(
     view: &View,
     grid: &[[f32; 2]],
 ) -> Vec<[[f32; 4]; 2]> {
-    let Fixture { scene, shared, technique } = fixture;
-    let build = Build { device, queue, scene, shared, irradiance: Vec3::ONE, daylight: 1.0, sun_cos: 0.3 };
+    let Fixture { scene, shared, objects, technique } = fixture;
+    let (irradiance, daylight, toward_sun) = (Vec3::ONE, 1.0, TOWARD_SUN);
+    let build = Build { device, queue, scene, shared, objects, irradiance, daylight, toward_sun };
     let layout = group_layout(device);
     let colors = super::gpu::water_colors(&technique.settings, Vec3::ONE, 0.3);
     let group = bind_group(&build, &layout, &technique.maps, &technique.slots, &colors);

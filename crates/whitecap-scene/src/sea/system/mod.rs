@@ -10,7 +10,7 @@ pub use phillips::PhillipsSystem;
 use crate::error::SceneError;
 use crate::key::{Accepts, Kind};
 use crate::reader::ValueReader;
-use crate::registry::{Registered, Tag};
+use crate::registry::{Registered, Tag, TagDefault};
 
 /// One wave system, a table `[[sea.system]]`. It serialises as that table.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -28,7 +28,7 @@ pub(crate) const TAG: Tag<System> = Tag {
     key: "spectrum",
     noun: "spectrum",
     doc: "How the energy is spread over wavelengths and directions.",
-    default: None,
+    default: TagDefault::Required,
     all: SPECTRA,
 };
 

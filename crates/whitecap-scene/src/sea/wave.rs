@@ -1,0 +1,46 @@
+//! One of the waves of a sum of sines: a table `[[sea.wave]]`.
+
+use crate::error::SceneError;
+use crate::key::{Accepts, Key, Kind, Pair, Real, or, required, table};
+use crate::reader::ValueReader;
+
+table! {
+    /// A sine: a table `[[sea.wave]]`. A phase counts in turns: at 1 the wave is where it was at 0.
+    pub struct Wave {
+        /// The height, in the text's units (`unit_m`).
+        height: f64 = required(Real { unit: "units", min: 0.0, max: 1000.0 });
+        /// Where the wave is at time 0.
+        offset_turns: f64 = or(Real { unit: "turns", min: -1000.0, max: 1000.0 }, 0.0);
+        /// How fast it runs.
+        speed_turns_per_s: f64 = required(Real { unit: "turns/s", min: -100.0, max: 100.0 });
+        /// Turns of the wave in one unit of the texture coordinate, along u and v.
+        direction_per_uv: [f64; 2] = required(Pair { unit: "turns", min: -1000.0, max: 1000.0 });
+    }
+}
+
+/// The keys of a wave.
+pub(crate) const KEYS: fn() -> Vec<Key> = Wave::keys;
+
+/// Exactly four waves: the shader calculates them in one register.
+pub(super) struct Waves;
+
+impl Waves {
+    const COUNT: usize = 4;
+}
+
+impl Kind for Waves {
+    type Value = Vec<Wave>;
+
+    fn accepts(&self) -> Accepts {
+        Accepts::Tables { name: "sea.wave", min: Self::COUNT, max: Self::COUNT }
+    }
+
+    fn read(&self, value: &ValueReader<'_>) -> Result<Vec<Wave>, SceneError> {
+        let wrong_type = || value.wrong_type(&self.accepts().to_string());
+        let waves = value.array().ok_or_else(wrong_type)?;
+        if waves.len() != Self::COUNT {
+            return Err(value.error(format!("found {}; accepted: {}", waves.len(), self.accepts())));
+        }
+        waves.into_iter().map(|wave| Wave::read(&wave.table()?)).collect()
+    }
+}
