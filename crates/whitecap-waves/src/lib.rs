@@ -7,7 +7,8 @@
 //! | --- | --- |
 //! | [`spectrum`] | how the sea's energy is spread over wave lengths and directions |
 //! | [`dispersion`] | how fast a wave of a given length runs |
-//! | [`model`] | surfaces in time: the [`WaveModel`](model::WaveModel) trait and the spectral sea |
+//! | [`model`] | surfaces in time: the [`Surface`](model::Surface) trait, the spectral sea, four sines, animated noise |
+//! | [`field`] | still fields from a seed: heights, normal maps and their mips |
 //! | [`statistics`] | what a surface turned out to be: moments and significant height |
 //! | [`optics`] | what its interface and its volume do to light |
 //! | [`transform`] | the inverse Fourier transform underneath |
@@ -67,8 +68,10 @@
 pub mod direction;
 pub mod dispersion;
 mod error;
+pub mod field;
 pub mod model;
 pub mod optics;
+mod random;
 pub mod spectrum;
 pub mod statistics;
 pub mod transform;

@@ -2,21 +2,39 @@
 
 use glam::{DVec2, DVec3};
 
+mod calm;
 mod fields;
+pub mod perlin;
+pub mod sines;
 pub mod spectral;
 
+pub use calm::Calm;
 pub use fields::TileFields;
 
-/// A moving water surface that repeats over a square tile.
+/// A moving water surface that can be asked for any place and any time.
 ///
-/// A model maps a *rest point*, a place on the flat sea, and a time to a displaced point: the water that lies
-/// at (x, z) when the sea is calm is at (x + dx, height, z + dz) at time `t`. The map, its slopes and its
-/// gradients have the period of the tile in x and in z.
+/// A surface maps a *rest point*, a place on the flat sea, and a time to a displaced point: the water that
+/// lies at (x, z) when the sea is calm is at (x + dx, height, z + dz) at time `t`. Everything is a function of
+/// the surface's parameters and the time alone: no clock, no state carried from one call to the next.
+pub trait Surface: Send + Sync {
+    /// The expected variance m0 of the height in m²: for a sum of waves of amplitudes a, ½Σa². The
+    /// significant height is 4√m0.
+    fn variance_m2(&self) -> f64;
+
+    /// The surface over the rest point `rest_m` (`.x` east, `.y` south) at `time_s`: exact at any place,
+    /// independent of any grid.
+    fn sample(&self, rest_m: DVec2, time_s: f64) -> SurfacePoint;
+}
+
+/// A surface that repeats over a square tile and can fill one.
+///
+/// The displaced point of [`Surface`], its slopes and its gradients have the period of the tile in x and in
+/// z.
 ///
 /// # Implementing
 ///
 /// A model answers the same question in two ways, and they must agree: [`evaluate`](Self::evaluate) fills a
-/// whole tile in f32, as fast as it can; [`sample`](Self::sample) answers for one point in f64, exactly.
+/// whole tile in f32, as fast as it can; [`sample`](Surface::sample) answers for one point in f64, exactly.
 /// Everything is a function of the model's parameters and the time alone: no clock, no state carried from
 /// one call to the next. `evaluate` allocates nothing when `fields` already has the right size.
 ///
@@ -26,7 +44,7 @@ pub use fields::TileFields;
 /// use glam::{DVec2, DVec3};
 /// use std::f64::consts::TAU;
 /// use whitecap_waves::dispersion::deep_water_angular_frequency;
-/// use whitecap_waves::model::{SurfacePoint, TileFields, WaveModel};
+/// use whitecap_waves::model::{Surface, SurfacePoint, TileFields, WaveModel};
 ///
 /// struct SingleSine { wavelength_m: f64, amplitude_m: f64, resolution: usize }
 ///
@@ -39,15 +57,27 @@ pub use fields::TileFields;
 ///     }
 /// }
 ///
+/// impl Surface for SingleSine {
+///     fn variance_m2(&self) -> f64 {
+///         0.5 * self.amplitude_m * self.amplitude_m
+///     }
+///     fn sample(&self, rest_m: DVec2, time_s: f64) -> SurfacePoint {
+///         let (height, slope) = self.wave(rest_m.x, time_s);
+///         SurfacePoint {
+///             displacement_m: DVec3::new(0.0, height, 0.0),
+///             normal: DVec3::new(-slope, 1.0, 0.0).normalize(),
+///             jacobian: 1.0,
+///             slope: DVec2::new(slope, 0.0),
+///         }
+///     }
+/// }
+///
 /// impl WaveModel for SingleSine {
 ///     fn tile_size_m(&self) -> f64 {
 ///         self.wavelength_m
 ///     }
 ///     fn resolution(&self) -> usize {
 ///         self.resolution
-///     }
-///     fn variance_m2(&self) -> f64 {
-///         0.5 * self.amplitude_m * self.amplitude_m
 ///     }
 ///     fn evaluate(&mut self, time_s: f64, fields: &mut TileFields) {
 ///         let n = self.resolution;
@@ -66,15 +96,6 @@ pub use fields::TileFields;
 ///             flat.fill(0.0);
 ///         }
 ///     }
-///     fn sample(&self, rest_m: DVec2, time_s: f64) -> SurfacePoint {
-///         let (height, slope) = self.wave(rest_m.x, time_s);
-///         SurfacePoint {
-///             displacement_m: DVec3::new(0.0, height, 0.0),
-///             normal: DVec3::new(-slope, 1.0, 0.0).normalize(),
-///             jacobian: 1.0,
-///             slope: DVec2::new(slope, 0.0),
-///         }
-///     }
 /// }
 ///
 /// let mut sine = SingleSine { wavelength_m: 20.0, amplitude_m: 0.5, resolution: 16 };
@@ -83,23 +104,16 @@ pub use fields::TileFields;
 /// let point = sine.sample(DVec2::new(5.0 * 20.0 / 16.0, 0.0), 3.0);
 /// assert!((f64::from(fields.height[5]) - point.displacement_m.y).abs() < 1e-6);
 /// ```
-pub trait WaveModel: Send + Sync {
+pub trait WaveModel: Surface {
     /// The side of the tile in metres: the surface repeats with this period in x and in z.
     fn tile_size_m(&self) -> f64;
 
     /// Samples along a side of the tile, at least 1. Renderers draw up to 2048.
     fn resolution(&self) -> usize;
 
-    /// The expected variance m0 of the height in m²: for a sum of waves of amplitudes a, ½Σa². The
-    /// significant height is 4√m0.
-    fn variance_m2(&self) -> f64;
-
-    /// All fields of the tile at `time_s`. Resizes `fields` where needed; allocates nothing otherwise.
+    /// All fields of the tile at `time_s`, equal to [`Surface::sample`] within their f32 rounding. Resizes
+    /// `fields` where needed; allocates nothing otherwise.
     fn evaluate(&mut self, time_s: f64, fields: &mut TileFields);
-
-    /// The surface over the rest point `rest_m` (`.x` east, `.y` south) at `time_s`: exact at any place,
-    /// independent of the grid, and equal to the tile's own samples within their f32 rounding.
-    fn sample(&self, rest_m: DVec2, time_s: f64) -> SurfacePoint;
 }
 
 /// The surface over one rest point.
@@ -115,4 +129,16 @@ pub struct SurfacePoint {
     pub jacobian: f64,
     /// The derivatives of the height by the rest coordinates x and z.
     pub slope: DVec2,
+}
+
+impl SurfacePoint {
+    /// The point of a surface that only rises and falls, at this height in metres and with these slopes.
+    pub(crate) fn upright(height_m: f64, slope: DVec2) -> Self {
+        Self {
+            displacement_m: DVec3::new(0.0, height_m, 0.0),
+            normal: DVec3::new(-slope.x, 1.0, -slope.y).normalize(),
+            jacobian: 1.0,
+            slope,
+        }
+    }
 }

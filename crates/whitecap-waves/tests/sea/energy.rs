@@ -3,7 +3,7 @@
 use crate::{TILE, WIND, one_wave, wind_sea};
 use glam::DVec2;
 use whitecap_waves::model::spectral::{Amplitudes, SpectralSea, SpectralSeaParameters};
-use whitecap_waves::model::{TileFields, WaveModel};
+use whitecap_waves::model::{Surface, TileFields, WaveModel};
 use whitecap_waves::spectrum::WaveSpectrum;
 use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
 use whitecap_waves::statistics::{Moments, significant_height_m};

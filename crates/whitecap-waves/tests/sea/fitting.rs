@@ -2,7 +2,7 @@
 
 use crate::{OneWave, TILE, WIND, wind_sea};
 use glam::DVec2;
-use whitecap_waves::model::WaveModel;
+use whitecap_waves::model::Surface;
 use whitecap_waves::model::spectral::{SpectralSea, SpectralSeaParameters};
 use whitecap_waves::spectrum::WaveSpectrum;
 use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};

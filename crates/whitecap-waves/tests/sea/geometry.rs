@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3, Vec3};
 use proptest::prelude::*;
 use whitecap_waves::direction::toward_from_nautical;
 use whitecap_waves::model::spectral::{Amplitudes, SpectralSea, SpectralSeaParameters};
-use whitecap_waves::model::{TileFields, WaveModel};
+use whitecap_waves::model::{Surface, TileFields, WaveModel};
 use whitecap_waves::spectrum::phillips::PhillipsParameters;
 use whitecap_waves::statistics::significant_height_m;
 

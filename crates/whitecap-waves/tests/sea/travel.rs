@@ -5,7 +5,7 @@ use glam::DVec2;
 use whitecap_waves::direction::toward_from_nautical;
 use whitecap_waves::dispersion::{deep_water_angular_frequency, deep_water_phase_speed};
 use whitecap_waves::model::spectral::SpectralSeaParameters;
-use whitecap_waves::model::{TileFields, WaveModel};
+use whitecap_waves::model::{Surface, TileFields, WaveModel};
 use whitecap_waves::spectrum::phillips::PhillipsParameters;
 
 /// All around the compass, on the axes, the diagonals and between.

@@ -32,7 +32,7 @@
 //! energy the lattice carried before scaling is [`SpectralSea::captured_fraction`]; a system below ½ is
 //! refused, since scaling would make another sea of it.
 
-use super::{SurfacePoint, TileFields, WaveModel};
+use super::{Surface, SurfacePoint, TileFields, WaveModel};
 use crate::error::{ParameterError, check};
 use crate::spectrum::WaveSpectrum;
 use crate::transform::{InverseReal2d, for_each_run, thread_count};
@@ -132,6 +132,16 @@ impl SpectralSea {
     }
 }
 
+impl Surface for SpectralSea {
+    fn variance_m2(&self) -> f64 {
+        self.variance_m2
+    }
+
+    fn sample(&self, rest_m: DVec2, time_s: f64) -> SurfacePoint {
+        sample::sample(&self.waves, rest_m, time_s)
+    }
+}
+
 impl WaveModel for SpectralSea {
     fn tile_size_m(&self) -> f64 {
         self.parameters.tile_size_m
@@ -139,10 +149,6 @@ impl WaveModel for SpectralSea {
 
     fn resolution(&self) -> usize {
         self.parameters.resolution
-    }
-
-    fn variance_m2(&self) -> f64 {
-        self.variance_m2
     }
 
     fn evaluate(&mut self, time_s: f64, fields: &mut TileFields) {
@@ -165,9 +171,5 @@ impl WaveModel for SpectralSea {
         transform.process_with(|p, out| column(p).gradient_xx(out), &mut fields.gradient_xx);
         transform.process_with(|p, out| column(p).gradient_xz(out), &mut fields.gradient_xz);
         transform.process_with(|p, out| column(p).gradient_zz(out), &mut fields.gradient_zz);
-    }
-
-    fn sample(&self, rest_m: DVec2, time_s: f64) -> SurfacePoint {
-        sample::sample(&self.waves, rest_m, time_s)
     }
 }

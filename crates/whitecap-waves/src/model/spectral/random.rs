@@ -3,9 +3,10 @@
 //! The lattice is walked ring by ring, |(p, q)|∞ = 1, 2, 3 …, and every point draws two numbers whether they
 //! are used or not. A lattice of more rings therefore begins with the same draws.
 
+use crate::random::uniform;
 use crate::turns::cos_sin_exact;
 use rand_chacha::ChaCha8Rng;
-use rand_core::{Rng, SeedableRng};
+use rand_core::SeedableRng;
 use rustfft::num_complex::Complex;
 
 /// One point's draw.
@@ -45,12 +46,6 @@ fn for_each_on_ring(r: i32, mut visit: impl FnMut(i32, i32)) {
     for step in 1 - r..=r {
         visit(step, -r);
     }
-}
-
-/// A multiple of 2⁻⁵³ and a half, strictly between 0 and 1: a logarithm of it is finite.
-fn uniform(rng: &mut ChaCha8Rng) -> f64 {
-    const STEP: f64 = 1.0 / (1_u64 << 53) as f64;
-    ((rng.next_u64() >> 11) as f64 + 0.5) * STEP
 }
 
 #[cfg(test)]

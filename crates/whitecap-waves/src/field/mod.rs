@@ -1,0 +1,1 @@
+//! Still fields, made from a seed: heights, normal maps and their mips.
