@@ -255,10 +255,7 @@ impl Attachments {
             })],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &self.depth,
-                depth_ops: Some(wgpu::Operations {
-                    load: depth,
-                    store,
-                }),
+                depth_ops: Some(wgpu::Operations { load: depth, store }),
                 stencil_ops: None,
             }),
             timestamp_writes: None,

@@ -1,8 +1,8 @@
 //! What every pass is told: the view, and the light around.
 
 use crate::environment::{CubeMap, Environment, FACE_SIZE, SUN_RADIUS_RAD, display_from_linear};
-use crate::{RenderError, TargetFormat, View};
 use crate::gpu::resources::bind_group;
+use crate::{RenderError, TargetFormat, View};
 use glam::{Mat4, Vec3, Vec4};
 
 /// Views of one sea that a frame can hold.
@@ -52,12 +52,9 @@ impl Role {
     /// Eye-relative world from eye-relative world, mirrored in the level plane at `plane_m`.
     fn mirrored(self, plane_m: f32) -> Mat4 {
         match self {
-            Role::Mirror => Mat4::from_cols(
-                Vec4::X,
-                Vec4::NEG_Y,
-                Vec4::Z,
-                Vec4::new(0.0, 2.0 * plane_m, 0.0, 1.0),
-            ),
+            Role::Mirror => {
+                Mat4::from_cols(Vec4::X, Vec4::NEG_Y, Vec4::Z, Vec4::new(0.0, 2.0 * plane_m, 0.0, 1.0))
+            }
             Role::Main | Role::Refraction => Mat4::IDENTITY,
         }
     }
@@ -65,7 +62,13 @@ impl Role {
 
 impl GpuView {
     /// `plane_m` is the height of the water's level over the eye.
-    pub(crate) fn new(view: &View, target: &TargetFormat, role: Role, plane_m: f32, margin_m: f32) -> GpuView {
+    pub(crate) fn new(
+        view: &View,
+        target: &TargetFormat,
+        role: Role,
+        plane_m: f32,
+        margin_m: f32,
+    ) -> GpuView {
         let clip_from_eye_world = view.clip_from_eye_world() * role.mirrored(plane_m);
         GpuView {
             clip_from_eye_world: clip_from_eye_world.to_cols_array_2d(),

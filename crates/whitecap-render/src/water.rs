@@ -6,8 +6,8 @@ use crate::pass::{ObjectPass, Objects, SkyPass};
 use crate::technique::{self, Build, Frame, Technique};
 use crate::timing::PassTimer;
 use crate::uniforms::{Role, Shared};
-use glam::Vec3;
 use crate::{RenderError, TargetFormat, View};
+use glam::Vec3;
 use whitecap_scene::Scene;
 
 /// A sea, its sky and the technique that draws it, in wgpu's middleware pattern: the host owns device,

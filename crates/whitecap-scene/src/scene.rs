@@ -173,7 +173,9 @@ impl Scene {
     pub fn read_objects(&self) -> Result<Vec<Model>, SceneError> {
         match &self.models {
             Some(models) => Ok(models.clone()),
-            None => self.objects.iter().enumerate().map(|(index, object)| self.model(index, object)).collect(),
+            None => {
+                self.objects.iter().enumerate().map(|(index, object)| self.model(index, object)).collect()
+            }
         }
     }
 
@@ -190,7 +192,9 @@ impl Scene {
 
     /// The tables at the top of the file.
     fn tables() -> impl Iterator<Item = &'static str> {
-        ["sea", "sky", "camera", "object"].into_iter().chain(technique::ALL.iter().map(|technique| technique.word))
+        ["sea", "sky", "camera", "object"]
+            .into_iter()
+            .chain(technique::ALL.iter().map(|technique| technique.word))
     }
 }
 

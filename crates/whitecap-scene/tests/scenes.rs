@@ -67,6 +67,8 @@ fn a_scene_says_what_its_file_says() {
             vertical_fov_deg: 45.0,
         },
         panorama: None,
+        objects: Vec::new(),
+        models: None,
     };
     assert_eq!(Scene::from_toml(text, "small").unwrap(), expected);
     assert!(named::find(named::DEFAULT).is_some());

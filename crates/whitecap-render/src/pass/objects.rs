@@ -45,7 +45,11 @@ struct Drawn {
 }
 
 impl Objects {
-    pub(crate) fn new(device: &wgpu::Device, queue: &wgpu::Queue, scene: &Scene) -> Result<Self, RenderError> {
+    pub(crate) fn new(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        scene: &Scene,
+    ) -> Result<Self, RenderError> {
         let drawn: Vec<Drawn> =
             scene.read_objects()?.into_iter().map(|model| Drawn::new(device, queue, model)).collect();
         let slots = ViewSlots::with_slots(device, "objects", MAX_VIEWS * drawn.len());
@@ -82,9 +86,8 @@ impl Drawn {
     fn new(device: &wgpu::Device, queue: &wgpu::Queue, model: Model) -> Drawn {
         let mesh = &model.mesh;
         let corners = mesh.positions.iter().zip(&mesh.normals).zip(&mesh.colors);
-        let vertices: Vec<GpuVertex> = corners
-            .map(|((&position, &normal), &color)| GpuVertex { position, normal, color })
-            .collect();
+        let vertices: Vec<GpuVertex> =
+            corners.map(|((&position, &normal), &color)| GpuVertex { position, normal, color }).collect();
         let index_count = mesh.indices.len() as u32;
         let vertices =
             buffer(device, queue, "object", bytemuck::cast_slice(&vertices), wgpu::BufferUsages::VERTEX);

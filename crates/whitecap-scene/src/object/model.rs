@@ -63,11 +63,7 @@ impl Object {
 
     /// Where it stands if it stands still.
     pub fn placement(&self) -> Placement {
-        Placement {
-            position_m: self.position_m.into(),
-            heading_deg: self.heading_deg,
-            scale: self.scale,
-        }
+        Placement { position_m: self.position_m.into(), heading_deg: self.heading_deg, scale: self.scale }
     }
 }
 
@@ -78,8 +74,9 @@ const GROUND_RESOLUTION: usize = 512;
 pub fn ground(models: &[Model]) -> Option<Ground> {
     let still = models.iter().filter(|model| model.object.stands_still());
     let placed = still.map(|model| (&model.mesh, model.object.placement()));
-    let triangles: Vec<_> =
-        placed.flat_map(|(mesh, placement)| mesh.triangles_in_world(&placement).collect::<Vec<_>>()).collect();
+    let triangles: Vec<_> = placed
+        .flat_map(|(mesh, placement)| mesh.triangles_in_world(&placement).collect::<Vec<_>>())
+        .collect();
     Ground::new(triangles.into_iter(), GROUND_RESOLUTION)
 }
 
@@ -138,7 +135,8 @@ mod tests {
 
     #[test]
     fn what_stands_still_stands_where_its_placement_says() {
-        let object = object("mesh = \"posts\"\nheading_deg = 35.0\nscale = 3.0\nposition_m = [4.0, 1.0, -9.0]");
+        let object =
+            object("mesh = \"posts\"\nheading_deg = 35.0\nscale = 3.0\nposition_m = [4.0, 1.0, -9.0]");
         let corner = DVec3::new(1.0, 2.0, 3.0);
         let placed = object.placement().world_from_mesh().transform_point3(corner);
         assert!(object.world_from_mesh(&Calm, 12.0).transform_point3(corner).distance(placed) < 1e-12);

@@ -65,7 +65,13 @@ impl SinesSettings {
             Taylor::Printed => sines::Taylor::Printed,
             Taylor::Mended => sines::Taylor::Mended,
         };
-        SumOfSinesParameters { waves, slope_factor: self.slope_factor, taylor, uv_size_m, unit_m: self.unit_m }
+        SumOfSinesParameters {
+            waves,
+            slope_factor: self.slope_factor,
+            taylor,
+            uv_size_m,
+            unit_m: self.unit_m,
+        }
     }
 
     pub(super) fn build(&self) -> Result<SeaSurface, SceneError> {

@@ -3,8 +3,8 @@
 use whitecap_waves::ParameterError;
 use whitecap_waves::model::spectral::{self, SpectralSea, SpectralSeaParameters};
 
-use super::{SeaModel, SeaSurface};
 use super::system::{System, Systems};
+use super::{SeaModel, SeaSurface};
 use crate::error::SceneError;
 use crate::key::{OneOf, PowerOfTwo, Real, or, required, table, words};
 use crate::registry::Registered;

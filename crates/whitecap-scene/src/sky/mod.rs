@@ -25,8 +25,13 @@ pub enum Sky {
 /// Every kind of sky.
 pub const ALL: &[Registered<Sky>] = &[atmosphere::REGISTERED, panorama::REGISTERED];
 
-pub(crate) const TAG: Tag<Sky> =
-    Tag { key: "kind", noun: "sky", doc: "What the sky is.", default: TagDefault::Word("atmosphere"), all: ALL };
+pub(crate) const TAG: Tag<Sky> = Tag {
+    key: "kind",
+    noun: "sky",
+    doc: "What the sky is.",
+    default: TagDefault::Word("atmosphere"),
+    all: ALL,
+};
 
 /// The exposure of either sky.
 const EXPOSURE_EV: Real = Real { unit: "EV", min: -20.0, max: 20.0 };

@@ -7,7 +7,10 @@ use whitecap_scene::technique as settings;
 pub(super) struct FiveSample;
 
 impl FiveSample {
-    pub(super) fn new(_build: &Build<'_>, _settings: &settings::FiveSample) -> Result<FiveSample, RenderError> {
+    pub(super) fn new(
+        _build: &Build<'_>,
+        _settings: &settings::FiveSample,
+    ) -> Result<FiveSample, RenderError> {
         Ok(FiveSample)
     }
 }

@@ -7,7 +7,10 @@ use whitecap_scene::technique as settings;
 pub(super) struct OceanWater;
 
 impl OceanWater {
-    pub(super) fn new(_build: &Build<'_>, _settings: &settings::OceanWater) -> Result<OceanWater, RenderError> {
+    pub(super) fn new(
+        _build: &Build<'_>,
+        _settings: &settings::OceanWater,
+    ) -> Result<OceanWater, RenderError> {
         Ok(OceanWater)
     }
 }

@@ -7,7 +7,10 @@ use whitecap_scene::technique as settings;
 pub(super) struct ProjectedGrid;
 
 impl ProjectedGrid {
-    pub(super) fn new(_build: &Build<'_>, _settings: &settings::ProjectedGrid) -> Result<ProjectedGrid, RenderError> {
+    pub(super) fn new(
+        _build: &Build<'_>,
+        _settings: &settings::ProjectedGrid,
+    ) -> Result<ProjectedGrid, RenderError> {
         Ok(ProjectedGrid)
     }
 }

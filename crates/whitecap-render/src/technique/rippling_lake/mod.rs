@@ -7,7 +7,10 @@ use whitecap_scene::technique as settings;
 pub(super) struct RipplingLake;
 
 impl RipplingLake {
-    pub(super) fn new(_build: &Build<'_>, _settings: &settings::RipplingLake) -> Result<RipplingLake, RenderError> {
+    pub(super) fn new(
+        _build: &Build<'_>,
+        _settings: &settings::RipplingLake,
+    ) -> Result<RipplingLake, RenderError> {
         Ok(RipplingLake)
     }
 }
