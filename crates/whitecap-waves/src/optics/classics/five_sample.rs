@@ -127,7 +127,8 @@ mod tests {
 
     #[test]
     fn golden_rippled_pixel() {
-        let texels = [[0.55, 0.5, 0.95], [0.48, 0.52, 0.97], [0.5, 0.45, 0.9], [0.6, 0.5, 0.9], [0.5, 0.5, 1.0]];
+        let texels =
+            [[0.55, 0.5, 0.95], [0.48, 0.52, 0.97], [0.5, 0.45, 0.9], [0.6, 0.5, 0.9], [0.5, 0.5, 1.0]];
         let seen = pixel(texels, DVec3::new(-1.0, 1.0, 0.0));
         assert_close(seen.normal.to_array(), [0.058453, 0.998199, -0.013489]);
         assert_close([seen.fresnel], [0.112560]);

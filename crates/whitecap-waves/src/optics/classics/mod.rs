@@ -17,7 +17,8 @@ pub use ocean_water::{
     BUMP_SPEED, BumpFrame, HIGHLIGHT_COLOR, OceanWaterPixel, bump_coordinates, ocean_water_pixel,
 };
 pub use projected_grid::{
-    ProjectedGridConstants, ProjectedGridPixel, mirrored_coordinates, projected_grid_pixel, sun_glint, sun_vector,
+    ProjectedGridConstants, ProjectedGridPixel, mirrored_coordinates, projected_grid_pixel, sun_glint,
+    sun_vector,
 };
 pub use rippling_lake::{
     LAKE_DEFAULTS, RipplingLakeConstants, RipplingLakePixel, rippling_lake_coordinates, rippling_lake_pixel,

@@ -151,7 +151,10 @@ mod tests {
         let f = fresnel_exact(0.8, 1.333);
         assert_close([pixel.fresnel], [f]);
         let layer = |water: f64, mirror: f64, sky: f64| (1.0 - f) * water + f * (0.4 * mirror + 0.6 * sky);
-        assert_close(pixel.color.to_array(), [layer(0.17, 0.25, 0.6), layer(0.27, 0.75, 0.8), layer(0.26, 0.0, 0.0)]);
+        assert_close(
+            pixel.color.to_array(),
+            [layer(0.17, 0.25, 0.6), layer(0.27, 0.75, 0.8), layer(0.26, 0.0, 0.0)],
+        );
     }
 
     /// A wave that would mirror what lies below the horizon mirrors the horizon, and its R gets shorter.

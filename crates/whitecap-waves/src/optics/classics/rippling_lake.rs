@@ -113,7 +113,8 @@ pub fn rippling_lake_pixel(
 
     let mirrored =
         saturate(DVec3::from(reflection(reflection_address)) * DVec3::from(constants.reflection_tint));
-    let below = saturate(DVec3::from(refraction(refraction_address)) * DVec3::from(constants.refraction_tint));
+    let below =
+        saturate(DVec3::from(refraction(refraction_address)) * DVec3::from(constants.refraction_tint));
     let fourth = cos_light.powi(4).clamp(0.0, 1.0);
     let highlight = (fourth * fourth).clamp(0.0, 1.0);
     let water = saturate((1.0 - cos_view) * mirrored + below);
