@@ -74,8 +74,7 @@ pub(super) fn find(mesh: &Mesh) -> Result<(), MeshFault> {
             return Err(MeshFault::Position(vertex));
         }
         let length = Vec3::from(mesh.normals[vertex]).length();
-        // Written so that NaN is a fault.
-        if !((length - 1.0).abs() <= NORMAL_TOLERANCE) {
+        if length.is_nan() || (length - 1.0).abs() > NORMAL_TOLERANCE {
             return Err(MeshFault::Normal { vertex, length });
         }
         if !mesh.colors[vertex].iter().all(|value| (0.0..=1.0).contains(value)) {
