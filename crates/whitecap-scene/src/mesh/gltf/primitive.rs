@@ -156,8 +156,10 @@ fn base_color(root: &Root, material: Option<Index<Material>>) -> Result<Vec3, Me
 /// A linear colour as a display shows it (IEC 61966-2-1). What is outside 0 to 1 or not a number is brought inside.
 fn displayed(linear: Vec3) -> Vec3 {
     let encode = |value: f32| {
-        let value = if value > 0.0 { value.min(1.0) } else { 0.0 };
-        if value <= 0.003_130_8 { 12.92 * value } else { 1.055 * value.powf(1.0 / 2.4) - 0.055 }
+        let value = if value > 0.0 { f64::from(value.min(1.0)) } else { 0.0 };
+        let encoded =
+            if value <= 0.003_130_8 { 12.92 * value } else { 1.055 * value.powf(1.0 / 2.4) - 0.055 };
+        encoded as f32
     };
     Vec3::new(encode(linear.x), encode(linear.y), encode(linear.z))
 }
