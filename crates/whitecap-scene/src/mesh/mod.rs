@@ -15,13 +15,16 @@
 //! ```
 
 mod built_in;
+mod error;
 mod fault;
+mod gltf;
 mod ground;
 mod placement;
 
 use glam::{DVec3, Vec3};
 
 pub use built_in::{BUILT_IN, BuiltIn, Island, LakeBed, built_in};
+pub use error::{MeshError, MeshProblem};
 pub use fault::MeshFault;
 pub use ground::Ground;
 pub use placement::Placement;
