@@ -98,13 +98,3 @@ impl Mesh {
         index
     }
 }
-/// stub
-#[derive(Debug, thiserror::Error)]
-#[error("stub")]
-pub struct MeshError;
-impl Mesh {
-    /// stub
-    pub fn load(_p: &std::path::Path) -> Result<Mesh, MeshError> {
-        Err(MeshError)
-    }
-}
