@@ -18,7 +18,7 @@ fn a_folder_is_filled_with_pictures_a_sheet_and_a_page() {
     assert_eq!(size_of(&gallery.join("meshuggah.png")), (32, 18));
     assert!(size_of(&gallery.join("contact-sheet.png")) > (32, 18));
     assert!(told.starts_with("gallery/index.html\n"), "{told}");
-    for words in ["contact-sheet.png", "1 scenes of 32 × 18", "meshuggah.png", "ms a frame"] {
+    for words in ["contact-sheet.png", "1 scene of 32 × 18", "meshuggah.png", "ms a frame"] {
         assert!(told.contains(words), "{words} is missing from:\n{told}");
     }
     let page = std::fs::read_to_string(gallery.join("index.html")).unwrap();
