@@ -23,7 +23,8 @@ fn near(found: &[f64], expected: &[f64], tolerance: f64) {
 /// A scene with the text's own waves, whatever the named scenes are like.
 fn drawn_by(folder: &Path, technique: &str) -> String {
     let name = format!("{technique}.toml");
-    std::fs::write(folder.join(&name), format!("technique = \"{technique}\"\n")).unwrap();
+    let camera = "[camera]\nposition_m = [0.0, 4.0, 0.0]\nlook_at_m = [100.0, 0.0, 0.0]\n";
+    std::fs::write(folder.join(&name), format!("technique = \"{technique}\"\n{camera}")).unwrap();
     name
 }
 
