@@ -17,14 +17,28 @@ const RUNS: usize = 9;
 const MOST_SECONDS: f64 = 2.0;
 const MOST_MEMORY_MB: f64 = 300.0;
 
+/// The most that a frame of each technique's own scene may cost, at 1280×720 on a software adapter of two
+/// cores, ms.
+const MOST_FRAME_MS: [(&str, f64); 5] = [
+    ("ocean-water", 120.0),
+    ("five-sample", 120.0),
+    ("meshuggah", 120.0),
+    ("rippling-lake", 200.0),
+    ("projected-grid", 200.0),
+];
+/// The pass that makes a sea of noise on the processor, and the most that it may cost, ms.
+const MOST_NOISE_MS: (&str, f64) = ("noise", 2.0);
+
 pub(crate) fn run() -> Result<()> {
     let whitecap = product::build_release()?;
     setup::ensure_adapter(&whitecap)?;
     let synthesis = synthesis()?;
     let command = whole_command(&whitecap)?;
+    let frames = frames(&whitecap)?;
     process::heading("results");
     process::say(&synthesis);
     process::say(&command);
+    process::say(&frames);
     Ok(())
 }
 
@@ -74,6 +88,39 @@ fn whole_command(whitecap: &Path) -> Result<String> {
     ))
 }
 
+fn frames(whitecap: &Path) -> Result<String> {
+    process::heading("a frame of each technique, pass by pass");
+    Ok(frames_told(&product::ask(&mut product::command(whitecap, &["bench", "--size", "1280x720"]))?))
+}
+
+/// The report of `whitecap bench --json` as a table.
+fn frames_told(report: &Value) -> String {
+    let mut table =
+        String::from("| frame, 1280×720 | pass | median, ms | goal |\n| --- | --- | --- | --- |\n");
+    let list = |value: &Value| value.as_array().cloned().unwrap_or_default();
+    for frame in list(report) {
+        let scene = frame["scene"].as_str().unwrap_or("?");
+        let mut row = |pass: &str, ms: &Value, most: Option<f64>| {
+            let ms = ms.as_f64().unwrap_or(f64::NAN);
+            let goal = most.map_or_else(String::new, |most| verdict(ms, most, " ms"));
+            table += &format!("| {scene} | {pass} | {ms:.2} | {goal} |\n");
+        };
+        for pass in list(&frame["passes"]) {
+            let name = pass["name"].as_str().unwrap_or("?");
+            let (noise, most_ms) = MOST_NOISE_MS;
+            row(name, &pass["ms"], (name == noise).then_some(most_ms));
+        }
+        let most_ms = MOST_FRAME_MS.iter().find(|(name, _)| *name == scene).map(|(_, most_ms)| *most_ms);
+        row("sum", &frame["sum_ms"], most_ms);
+    }
+    for (scene, _) in MOST_FRAME_MS {
+        if !list(report).iter().any(|frame| frame["scene"] == scene) {
+            table += &format!("| {scene} | | | **missing**: no scene of this name |\n");
+        }
+    }
+    table
+}
+
 fn verdict(measured: f64, most: f64, unit: &str) -> String {
     let met = if measured <= most { "met" } else { "**missed**" };
     format!("≤ {most}{unit}: {met}")
@@ -118,6 +165,26 @@ mod tests {
         let estimates = r#"{ "mean": { "point_estimate": 9e6 }, "median": { "point_estimate": 2.5e6 } }"#;
         assert_eq!(median_ms_in(estimates), Some(2.5));
         assert_eq!(median_ms_in("{}"), None);
+    }
+
+    #[test]
+    fn frames_are_held_against_their_goals_and_none_goes_missing() {
+        let report = serde_json::json!([
+            { "scene": "projected-grid", "sum_ms": 150.0,
+              "passes": [{ "name": "noise", "ms": 2.5 }, { "name": "water", "ms": 147.5 }] },
+            { "scene": "ocean-water", "sum_ms": 150.0, "passes": [{ "name": "water", "ms": 150.0 }] },
+        ]);
+        let told = frames_told(&report);
+        for row in [
+            "| projected-grid | noise | 2.50 | ≤ 2 ms: **missed** |",
+            "| projected-grid | water | 147.50 |  |",
+            "| projected-grid | sum | 150.00 | ≤ 200 ms: met |",
+            "| ocean-water | sum | 150.00 | ≤ 120 ms: **missed** |",
+            "| meshuggah | | | **missing**",
+        ] {
+            assert!(told.contains(row), "{row} is missing from:\n{told}");
+        }
+        assert!(!told.contains("| ocean-water | | |"));
     }
 
     #[test]

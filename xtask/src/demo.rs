@@ -1,9 +1,10 @@
-//! The first picture: set up, build, render, say where it is.
+//! The first pictures: set up, build, render, say where they are.
 
 use crate::{process, product, setup};
 use anyhow::{Context, Result};
 use serde_json::Value;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::process::Command;
 
 /// The folder for pictures that are made by hand; git does not see it.
 const FOLDER: &str = "out";
@@ -17,6 +18,12 @@ pub(crate) fn run() -> Result<()> {
     let mut render = product::command(&whitecap, &["render"]);
     let report = product::ask(render.current_dir(FOLDER))?;
     process::say(&told(&report));
+
+    process::heading("every scene side by side");
+    let gallery = Path::new(FOLDER).join("gallery");
+    process::run(Command::new(&whitecap).arg("gallery").arg("-o").arg(&gallery))?;
+    process::say(&format!("\nThe gallery is {}", whole(&gallery.join("index.html")).display()));
+    process::say(&format!("The first picture is {}", picture(&report).display()));
     Ok(())
 }
 
@@ -24,7 +31,6 @@ pub(crate) fn run() -> Result<()> {
 fn told(report: &Value) -> String {
     let word = |value: &Value| value.as_str().unwrap_or("?").to_owned();
     let ms = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
-    let picture = Path::new(FOLDER).join(word(&report["picture"]));
     let adapter = &report["adapter"];
     let mut lines = vec![
         format!("{} × {} pixels of {}", report["width"], report["height"], word(&report["scene"])),
@@ -40,8 +46,18 @@ fn told(report: &Value) -> String {
     for (name, ms) in stages.chain([("total".to_owned(), ms(&report["total_ms"]))]) {
         lines.push(format!("  {name:24} {ms:8.1} ms"));
     }
-    lines.push(format!("\nThe picture is {}", picture.canonicalize().unwrap_or(picture).display()));
+    lines.push(format!("\nThe picture is {}", picture(report).display()));
     lines.join("\n")
+}
+
+/// Where the picture of the report is.
+fn picture(report: &Value) -> PathBuf {
+    whole(&Path::new(FOLDER).join(report["picture"].as_str().unwrap_or("?")))
+}
+
+/// The path from the root, to be opened from anywhere.
+fn whole(path: &Path) -> PathBuf {
+    path.canonicalize().unwrap_or_else(|_| path.to_owned())
 }
 
 #[cfg(test)]

@@ -1,9 +1,8 @@
-//! The parts of the documentation that are made, not written: the list of scene keys and the picture.
+//! The parts of the documentation that are made, not written: the list of scene keys and the pictures.
 
 use crate::{process, product, setup};
 use anyhow::{Context, Result};
-
-const PICTURE: &str = "docs/images/meshuggah.png";
+use std::path::Path;
 
 pub(crate) fn run() -> Result<()> {
     process::heading("scene keys");
@@ -13,9 +12,57 @@ pub(crate) fn run() -> Result<()> {
 
     let whitecap = product::build_release()?;
     setup::ensure_adapter(&whitecap)?;
-    process::heading("picture");
+    process::heading("pictures");
     std::fs::create_dir_all("docs/images").context("cannot make the folder docs/images")?;
-    product::ask(&mut product::command(&whitecap, &["render", "meshuggah", "-o", PICTURE]))?;
-    process::say(&format!("{PICTURE} and docs/scene-files.md are new. Look at both before you commit them."));
+    let scenes = product::ask(&mut product::command(&whitecap, &["scenes"]))?;
+    let names = scenes.as_array().map_or(&[][..], Vec::as_slice);
+    let text = pages()?;
+    for name in names.iter().filter_map(|scene| scene["name"].as_str()) {
+        let picture = picture_of(name);
+        if is_shown(&text, &picture) {
+            let path = Path::new("docs").join(&picture);
+            let path = path.to_string_lossy();
+            product::ask(&mut product::command(&whitecap, &["render", name, "-o", &path]))?;
+            process::say(&path);
+        }
+    }
+    process::say(
+        "These pictures and docs/scene-files.md are new. Look at all of them before you commit them.",
+    );
     Ok(())
+}
+
+/// The text of every page in docs/.
+fn pages() -> Result<String> {
+    let mut text = String::new();
+    for entry in std::fs::read_dir("docs").context("cannot read the folder docs")? {
+        let path = entry?.path();
+        if path.extension().is_some_and(|extension| extension == "md") {
+            text +=
+                &std::fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        }
+    }
+    Ok(text)
+}
+
+/// The picture of the scene called `name`, as a page in docs/ refers to it.
+fn picture_of(name: &str) -> String {
+    format!("images/{name}.png")
+}
+
+/// Whether a page points to `picture`.
+fn is_shown(pages: &str, picture: &str) -> bool {
+    pages.contains(&format!("({picture})")) || pages.contains(&format!("\"{picture}\""))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_is_made_where_a_page_shows_it() {
+        let pages = "![a sea](images/sea.png) and <img src=\"images/lake.png\"> but images/pond.png";
+        assert!(is_shown(pages, &picture_of("sea")) && is_shown(pages, &picture_of("lake")));
+        assert!(!is_shown(pages, &picture_of("pond")) && !is_shown(pages, &picture_of("ea")));
+    }
 }

@@ -19,16 +19,24 @@ struct Chore {
 }
 
 const ALL: &[Chore] = &[
-    Chore { word: "demo", summary: "set up, build, and render the default scene into out/", run: demo::run },
+    Chore {
+        word: "demo",
+        summary: "set up, build, render the default scene and the gallery into out/",
+        run: demo::run,
+    },
     Chore { word: "test", summary: "set up, then run every check that a change must pass", run: checks::run },
     Chore { word: "setup", summary: "see to it that there is an adapter to draw with", run: setup::run },
     Chore { word: "goldens", summary: "render the golden pictures anew, to be looked at", run: goldens::run },
     Chore {
         word: "docs",
-        summary: "write the list of scene keys and render the picture anew",
+        summary: "write the list of scene keys and render the pages' pictures anew",
         run: docs::run,
     },
-    Chore { word: "bench", summary: "measure the sea and the command against their goals", run: bench::run },
+    Chore {
+        word: "bench",
+        summary: "measure the sea, the command and the frames against their goals",
+        run: bench::run,
+    },
 ];
 
 fn main() -> ExitCode {

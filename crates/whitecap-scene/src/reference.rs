@@ -61,6 +61,38 @@ pub fn reference() -> impl Iterator<Item = KeyDoc> {
     keys.0.into_iter()
 }
 
+/// A setting of a scene that is not what leaving it out would mean.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+pub struct Difference {
+    /// The key with its table, such as `sea.choppiness`.
+    pub key: String,
+    /// What the scene says, as TOML writes it.
+    pub value: String,
+    /// What leaving the key out means: a value as TOML writes it, or words.
+    pub default: String,
+}
+
+/// The settings of the scene's technique and sea that differ from their defaults, which are the texts' values
+/// where a text gives one. Keys that a file must give have no default to differ from.
+pub fn differences(scene: &Scene) -> Vec<Difference> {
+    let Ok(said) = toml::Table::try_from(scene) else { return Vec::new() };
+    let model = Some((sea::TAG.key, scene.sea.model.word()));
+    let technique = scene.technique.word();
+    let settings = reference().filter(|key| {
+        (key.table == technique && key.only_with.is_none()) || (key.table == "sea" && key.only_with == model)
+    });
+    let difference = |KeyDoc { table, key, when_absent, .. }: KeyDoc| {
+        let value = said.get(&table)?.get(key)?.to_string();
+        let default = match when_absent {
+            WhenAbsent::Refused => return None,
+            WhenAbsent::Default(default) => default,
+            WhenAbsent::Means(meaning) => meaning.to_owned(),
+        };
+        (value != default).then(|| Difference { key: format!("{table}.{key}"), value, default })
+    };
+    settings.filter_map(difference).collect()
+}
+
 impl KeyDoc {
     /// The table as the file spells it, and the kind it must be of.
     fn heading(&self) -> String {

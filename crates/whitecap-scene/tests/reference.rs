@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use proptest::prelude::*;
 use toml::{Table, Value};
-use whitecap_scene::reference::{Accepts, KeyDoc, WhenAbsent, markdown, reference};
+use whitecap_scene::reference::{Accepts, KeyDoc, WhenAbsent, differences, markdown, reference};
 use whitecap_scene::{Scene, SceneError, named, sea, sky, technique};
 
 /// The default scene drawn by `technique`, with that technique's own sea and settings.
@@ -268,4 +268,88 @@ proptest! {
             prop_assert_eq!(Scene::from_toml(&text, "again").unwrap(), scene);
         }
     }
+}
+
+#[test]
+fn defaults_spelled_out_are_no_differences() {
+    for technique in technique::ALL {
+        let mut scene = scene_drawn_by(technique.word);
+        let drawn = Scene::from_toml(&scene.to_string(), "any").unwrap();
+        let model = drawn.sea.model.word();
+        for doc in reference() {
+            let in_use = doc.table == technique.word
+                || (doc.table == "sea" && doc.only_with == Some(("model", model)));
+            if let (true, WhenAbsent::Default(default)) = (in_use, &doc.when_absent) {
+                let value: Table = format!("value = {default}").parse().unwrap();
+                table_of(&doc, &mut scene).insert(doc.key.to_owned(), value["value"].clone());
+            }
+        }
+        let scene = Scene::from_toml(&scene.to_string(), "any").unwrap();
+        assert_eq!(differences(&scene), [], "{}", technique.word);
+    }
+}
+
+/// Every setting of every technique and of its sea, each by itself.
+#[test]
+fn a_setting_that_is_changed_is_the_one_difference() {
+    let of_a_technique = |doc: &KeyDoc| technique::ALL.iter().any(|technique| technique.word == doc.table);
+    let settings = reference()
+        .filter(|doc| of_a_technique(doc) || (doc.table == "sea" && doc.only_with.is_some()))
+        .filter(|doc| doc.when_absent != WhenAbsent::Refused);
+    let mut seen = 0;
+    for doc in settings {
+        let before = differences(&Scene::from_toml(&scene_with_table_of(&doc).to_string(), "any").unwrap());
+        let key = format!("{}.{}", doc.table, doc.key);
+        for value in values(&doc.accepts) {
+            let said = value.to_string();
+            let is_default = doc.when_absent == WhenAbsent::Default(said.clone());
+            // Some values at the bounds contradict other settings; another of the key's values does not.
+            let Ok(scene) = read_with(&doc, value) else { continue };
+            let found = differences(&scene);
+            let of_key: Vec<_> = found.iter().filter(|difference| difference.key == key).collect();
+            if is_default {
+                assert!(of_key.is_empty(), "{key} = {said}: {of_key:?}");
+            } else {
+                let [difference] = of_key.as_slice() else { panic!("{key} = {said}: {of_key:?}") };
+                assert_eq!(difference.value, said, "{key}");
+                assert!(!difference.default.is_empty());
+                seen += 1;
+            }
+            let others = |all: &[whitecap_scene::reference::Difference]| {
+                all.iter().filter(|d| d.key != key).cloned().collect::<Vec<_>>()
+            };
+            assert_eq!(others(&found), others(&before), "{key} = {said} changed other settings");
+        }
+    }
+    assert!(seen > 20, "{seen} differences");
+}
+
+#[test]
+fn keys_of_other_tables_and_required_ones_are_no_differences() {
+    let mut scene = whitecap_scene::open("meshuggah").unwrap();
+    let before = differences(&scene);
+    assert!(
+        before.iter().any(|d| d.key == "meshuggah.visibility_km" && d.value == "12.0" && d.default == "25.0")
+    );
+    assert!(
+        before.iter().all(|d| d.key.starts_with("meshuggah.") || d.key.starts_with("sea.")),
+        "{before:?}"
+    );
+    scene.seed += 1;
+    scene.camera.vertical_fov_deg = 30.0;
+    assert_eq!(differences(&scene), before);
+}
+
+#[test]
+fn every_technique_says_what_it_follows() {
+    for technique in technique::ALL {
+        let scene = Scene::from_toml(&scene_drawn_by(technique.word).to_string(), "any").unwrap();
+        assert!(scene.technique.source().len() > 20, "{}", technique.word);
+        assert!(scene.technique.differs().iter().all(|note| note.ends_with('.')), "{}", technique.word);
+        for model in scene.technique.sea_models() {
+            assert!(technique::that_draw(model).any(|word| word == technique.word), "{model}");
+        }
+    }
+    assert_eq!(technique::that_draw("spectral").collect::<Vec<_>>(), ["meshuggah"]);
+    assert_eq!(technique::that_draw("tea").count(), 0);
 }

@@ -11,6 +11,7 @@ mod png;
 mod stages;
 mod stdout;
 mod whole_file;
+mod whole_folder;
 
 use clap::Parser;
 use command::Cli;

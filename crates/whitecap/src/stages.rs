@@ -41,6 +41,12 @@ impl Stages {
         self.running = Some((name, Instant::now()));
     }
 
+    /// Begins the stage called `name`, and says `about` what it is on the terminal.
+    pub(crate) fn begin_about(&mut self, name: &'static str, about: &str) {
+        self.begin(name);
+        self.line.set_message(format!("{about}: {name}"));
+    }
+
     /// Ends the last stage and hands out all of them, in order.
     pub(crate) fn finish(mut self) -> Vec<StageTime> {
         self.end();

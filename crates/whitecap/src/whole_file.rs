@@ -92,7 +92,8 @@ impl WholeFile {
     }
 }
 
-fn cannot_write(path: &Path, error: io::Error) -> Failure {
+/// Why `path` was not written, and what helps.
+pub(crate) fn cannot_write(path: &Path, error: io::Error) -> Failure {
     let hint = match error.kind() {
         io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
             "; free some space or choose another place with --output"

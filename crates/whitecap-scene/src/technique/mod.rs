@@ -73,12 +73,57 @@ impl Technique {
         }
     }
 
+    /// The text that it follows: who, what, where, when.
+    pub fn source(&self) -> &'static str {
+        match self {
+            Self::OceanWater(_) => {
+                "John Isidoro, Alex Vlachos and Chris Brennan, \"Rendering Ocean Water\", in Direct3D ShaderX, ATI \
+                 Research, 2002"
+            }
+            Self::RipplingLake(_) => {
+                "Alex Vlachos, John Isidoro and Chris Oat, \"Rippling Reflective and Refractive Water\", in Direct3D \
+                 ShaderX, ATI Research, 2002"
+            }
+            Self::ProjectedGrid(_) => {
+                "Claes Johanson, \"Real-time water rendering: introducing the projected grid concept\", master's \
+                 thesis, Lund University, 2004"
+            }
+            Self::Meshuggah(_) => "Carsten Wenzel, \"Ocean scene\", in Meshuggah, 2002",
+            Self::FiveSample(_) => "Camilla Berglund, work log of an ocean shader of five samples",
+        }
+    }
+
+    /// Where every scene that it draws departs from its text, whatever the settings; one sentence each.
+    pub fn differs(&self) -> &'static [&'static str] {
+        match self {
+            Self::OceanWater(_) => &[
+                "The text gives its plane no size: one of its units of height is 1 cm unless `unit_m` says otherwise.",
+            ],
+            Self::Meshuggah(_) => &[
+                "The mesh goes on to the horizon by an apron of rings.",
+                "Waves finer than the far mesh are drawn as normals, and those finer than a pixel widen the \
+                 reflection.",
+                "The water's colours dim after sunset, and haze softens the horizon.",
+                "Environment and bump map hold 16-bit floats instead of 8 bits.",
+            ],
+            _ => &[],
+        }
+    }
+
     /// Reads the technique and its table from the top of a scene, and refuses tables of other techniques.
     pub(crate) fn read(scene: &TableReader<'_>) -> Result<Self, SceneError> {
         let chosen = scene.read(TAG.key, &TAG)?;
         refuse_others(scene, chosen.word, ALL.iter().map(|technique| technique.word))?;
         (chosen.read)(&scene.table(chosen.word)?)
     }
+}
+
+/// The words of the techniques that draw seas of the model `model`.
+pub fn that_draw(model: &str) -> impl Iterator<Item = &'static str> {
+    let draws = move |technique: &&Registered<Technique>| {
+        TableReader::defaults(technique.read).sea_models().contains(&model)
+    };
+    ALL.iter().filter(draws).map(|technique| technique.word)
 }
 
 /// Settings that would go unused are a mistake: the user changes them and nothing happens.

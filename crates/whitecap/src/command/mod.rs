@@ -1,9 +1,13 @@
 //! The verbs: one file each, and one line each in [`Verb`].
 
 mod adapters;
+mod bench;
 mod check;
 mod completions;
+mod gallery;
 mod man;
+mod options;
+mod probe;
 mod render;
 mod scenes;
 
@@ -32,6 +36,9 @@ pub(crate) struct Cli {
 #[derive(Debug, clap::Subcommand)]
 pub(crate) enum Verb {
     Render(render::Render),
+    Gallery(gallery::Gallery),
+    Probe(probe::Probe),
+    Bench(bench::Bench),
     Check(check::Check),
     Scenes(scenes::Scenes),
     Adapters(adapters::Adapters),
@@ -44,6 +51,9 @@ impl Verb {
     pub(crate) fn run(&self, started: Instant) -> Result<ExitCode, Failure> {
         match self {
             Verb::Render(render) => render.run(started),
+            Verb::Gallery(gallery) => gallery.run(started),
+            Verb::Probe(probe) => probe.run(),
+            Verb::Bench(bench) => bench.run(),
             Verb::Check(check) => check.run(),
             Verb::Scenes(scenes) => scenes.run(),
             Verb::Adapters(adapters) => adapters.run(),
@@ -56,6 +66,9 @@ impl Verb {
     pub(crate) fn wants_json(&self) -> bool {
         match self {
             Verb::Render(render) => render.json,
+            Verb::Gallery(gallery) => gallery.json,
+            Verb::Probe(probe) => probe.json,
+            Verb::Bench(bench) => bench.json,
             Verb::Check(check) => check.json,
             Verb::Scenes(scenes) => scenes.json,
             // Its answer is always a list, if an empty one.

@@ -1,5 +1,6 @@
 //! `whitecap render`: one picture of one scene.
 
+use super::options::{MAX_SEED, Size, parse_size, parse_time_s};
 use crate::failure::Failure;
 use crate::stages::{StageTime, Stages, milliseconds};
 use crate::whole_file::WholeFile;
@@ -24,12 +25,6 @@ Examples:
 
 Same scene, same seed, same time, same adapter: same picture. The file is written whole or not at all, and \
 an existing one is replaced. `whitecap scenes` lists the named scenes, `whitecap adapters` the adapters.";
-
-/// The moments that a picture may show; beyond them, 32-bit phases on the GPU lose their meaning.
-const MAX_TIME_S: f64 = 1e6;
-
-/// The largest seed that a scene file can say: TOML's integers have a sign.
-const MAX_SEED: u64 = i64::MAX as u64;
 
 /// Render one picture of a scene, as PNG
 #[derive(Debug, clap::Args)]
@@ -145,31 +140,6 @@ impl Report<'_> {
     }
 }
 
-/// A picture's size in pixels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Size {
-    width: u32,
-    height: u32,
-}
-
-fn parse_size(text: &str) -> Result<Size, String> {
-    let side = |digits: &str| {
-        // `parse` alone would take "+5".
-        let plain = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
-        digits.parse().ok().filter(|&side| plain && side > 0)
-    };
-    text.split_once(['x', 'X', '×'])
-        .and_then(|(width, height)| Some(Size { width: side(width)?, height: side(height)? }))
-        .ok_or_else(|| "accepted: two whole numbers from 1, width and height, such as 1280x720".to_owned())
-}
-
-fn parse_time_s(text: &str) -> Result<f64, String> {
-    text.parse()
-        .ok()
-        .filter(|time_s: &f64| time_s.abs() <= MAX_TIME_S) // never true of a NaN
-        .ok_or_else(|| format!("accepted: seconds from -{MAX_TIME_S} to {MAX_TIME_S}, such as 3.5"))
-}
-
 fn png_path(path: PathBuf) -> Result<PathBuf, String> {
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
         Ok(path)
@@ -187,42 +157,6 @@ fn default_output(scene: &str) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn sizes_are_two_whole_numbers_from_one() {
-        for text in ["1280x720", "1280X720", "1280×720"] {
-            assert_eq!(parse_size(text), Ok(Size { width: 1280, height: 720 }), "{text}");
-        }
-        let wrong = [
-            "",
-            "x",
-            "720",
-            "0x0",
-            "0x720",
-            "1280x0",
-            "-1x5",
-            "+1x5",
-            "1.5x2",
-            "1x2x3",
-            "99999999999x1",
-            "axb",
-            " 1x1",
-            "NaNx1",
-        ];
-        for text in wrong {
-            assert!(parse_size(text).is_err_and(|message| message.contains("1280x720")), "{text:?}");
-        }
-    }
-
-    #[test]
-    fn moments_are_finite_and_within_reach() {
-        for (text, time_s) in [("0", 0.0), ("-2.5", -2.5), ("1e6", 1e6), ("-1e6", -1e6)] {
-            assert_eq!(parse_time_s(text), Ok(time_s));
-        }
-        for text in ["", "NaN", "inf", "-inf", "1000001", "-1e7", "1e999", "3 s", "noon"] {
-            assert!(parse_time_s(text).is_err_and(|message| message.contains("1000000")), "{text:?}");
-        }
-    }
 
     #[test]
     fn pictures_are_png_by_name() {

@@ -1,13 +1,17 @@
 //! The `whitecap` command from outside: what goes in, what comes out, and with which exit code.
 #![allow(clippy::unwrap_used)] // a test that cannot go on should stop
 
+mod bench;
+mod gallery;
 mod no_adapter;
+mod probe;
 mod render;
 mod scenes;
 mod usage;
 
 use assert_cmd::Command;
 use assert_cmd::assert::Assert;
+use std::io::Write;
 use std::path::Path;
 
 /// The command, started in `folder`.
@@ -43,4 +47,26 @@ fn names_in(folder: &Path) -> Vec<String> {
     let mut names: Vec<_> = entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
     names.sort();
     names
+}
+
+/// Whether there is an adapter to draw with. Says loudly that the test is skipped where there is none, and
+/// fails where one is required.
+fn has_adapter() -> bool {
+    let folder = tempfile::tempdir().unwrap();
+    let adapters = json(&whitecap(folder.path()).args(["adapters", "--json"]).assert());
+    let found = adapters.as_array().is_some_and(|list| list.iter().any(|a| a["webgpu_compliant"] == true));
+    if !found {
+        let required = std::env::var_os("WHITECAP_REQUIRE_ADAPTER").is_some();
+        assert!(!required, "WHITECAP_REQUIRE_ADAPTER is set, and this machine has no WebGPU adapter");
+        // Past libtest's capture, which would hide it.
+        let reason =
+            "SKIPPED a test that draws: this machine has no WebGPU adapter; `cargo xtask setup` installs one";
+        let _ = writeln!(std::io::stderr(), "{reason}");
+    }
+    found
+}
+
+fn size_of(picture: &Path) -> (u32, u32) {
+    let picture = image::open(picture).expect("the picture is a whole PNG");
+    (picture.width(), picture.height())
 }

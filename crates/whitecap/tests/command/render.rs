@@ -1,32 +1,8 @@
 //! `render`: pictures, and everything that keeps one from being written.
 
-use crate::{json, names_in, sentence, stderr, stdout, whitecap};
-use std::io::Write;
-use std::path::Path;
+use crate::{has_adapter, json, names_in, sentence, size_of, stderr, stdout, whitecap};
 use std::process::{Command, Stdio};
 use std::time::Duration;
-
-/// Whether there is an adapter to draw with. Says loudly that the test is skipped where there is none, and
-/// fails where one is required.
-fn has_adapter() -> bool {
-    let folder = tempfile::tempdir().unwrap();
-    let adapters = json(&whitecap(folder.path()).args(["adapters", "--json"]).assert());
-    let found = adapters.as_array().is_some_and(|list| list.iter().any(|a| a["webgpu_compliant"] == true));
-    if !found {
-        let required = std::env::var_os("WHITECAP_REQUIRE_ADAPTER").is_some();
-        assert!(!required, "WHITECAP_REQUIRE_ADAPTER is set, and this machine has no WebGPU adapter");
-        // Past libtest's capture, which would hide it.
-        let reason =
-            "SKIPPED a test that draws: this machine has no WebGPU adapter; `cargo xtask setup` installs one";
-        let _ = writeln!(std::io::stderr(), "{reason}");
-    }
-    found
-}
-
-fn size_of(picture: &Path) -> (u32, u32) {
-    let picture = image::open(picture).expect("the picture is a whole PNG");
-    (picture.width(), picture.height())
-}
 
 #[test]
 fn a_picture_is_made_and_told_about() {

@@ -2,7 +2,8 @@
 
 use crate::{json, names_in, sentence, stderr, stdout, whitecap};
 
-const VERBS: [&str; 6] = ["render", "check", "scenes", "adapters", "completions", "man"];
+const VERBS: [&str; 9] =
+    ["render", "gallery", "probe", "bench", "check", "scenes", "adapters", "completions", "man"];
 
 #[test]
 fn every_verb_is_listed_and_explains_itself_with_an_example() {
@@ -54,6 +55,18 @@ fn wrong_arguments_are_refused_with_what_was_found_and_what_is_accepted() {
         (&["render", "--seed", "9223372036854775808"], &["9223372036854775808", "9223372036854775807"]),
         (&["render", "-o", "sea.jpg"], &["'sea.jpg'", ".png"]),
         (&["render", "-o", ""], &["--output", "value is required"]),
+        (&["gallery"], &["--output <DIR>"]),
+        (&["gallery", "-o", "x", "meshugah"], &["'meshugah'", "meshuggah"]),
+        (&["gallery", "-o", "x", "--runs", "1001"], &["1001", "0..=1000"]),
+        (&["bench", "--runs", "0"], &["0 is not in 1..=1000"]),
+        (&["bench", "--size", "0x1"], &["'0x1'", "1280x720"]),
+        (&["probe"], &["--at <X,Z>"]),
+        (&["probe", "--at", "1"], &["'1'", "12.5,-3"]),
+        (&["probe", "--at", "NaN,0"], &["'NaN,0'", "-10000000 to 10000000"]),
+        (&["probe", "--at=0,10000001"], &["'0,10000001'", "-10000000 to 10000000"]),
+        (&["probe", "--uv", "0.3 0.7"], &["'0.3 0.7'", "0.3,0.7"]),
+        (&["probe", "--at", "0,0", "--time", "1000000.1"], &["'1000000.1'", "-1000000 to 1000000"]),
+        (&["probe", "--at", "0,0", "--seed", "-1"], &["-1"]),
         (&["check"], &["<SCENE>"]),
         (&["scenes", "meshugah"], &["'meshugah'", "meshuggah"]),
         (&["completions", "cobol"], &["'cobol'", "bash", "fish", "zsh"]),
