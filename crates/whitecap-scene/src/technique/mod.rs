@@ -77,19 +77,21 @@ impl Technique {
     pub fn source(&self) -> &'static str {
         match self {
             Self::OceanWater(_) => {
-                "John Isidoro, Alex Vlachos and Chris Brennan, \"Rendering Ocean Water\", in Direct3D ShaderX, ATI \
-                 Research, 2002"
+                "John Isidoro, Alex Vlachos and Chris Brennan (ATI), \"Rendering Ocean Water\", in Direct3D \
+                 ShaderX, 2002"
             }
             Self::RipplingLake(_) => {
-                "Alex Vlachos, John Isidoro and Chris Oat, \"Rippling Reflective and Refractive Water\", in Direct3D \
-                 ShaderX, ATI Research, 2002"
+                "Alex Vlachos, John Isidoro and Chris Oat (ATI), \"Rippling Reflective and Refractive Water\", in \
+                 Direct3D ShaderX, 2002"
             }
             Self::ProjectedGrid(_) => {
-                "Claes Johanson, \"Real-time water rendering: introducing the projected grid concept\", master's \
+                "Claes Johanson, \"Real-time water rendering: Introducing the projected grid concept\", master's \
                  thesis, Lund University, 2004"
             }
             Self::Meshuggah(_) => "Carsten Wenzel, \"Ocean scene\", in Meshuggah, 2002",
-            Self::FiveSample(_) => "Camilla Berglund, work log of an ocean shader of five samples",
+            Self::FiveSample(_) => {
+                "Berglund, work log of an ocean shader with five samples of one normal map"
+            }
         }
     }
 
