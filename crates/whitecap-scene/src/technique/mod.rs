@@ -98,9 +98,10 @@ impl Technique {
     /// Where every scene that it draws departs from its text, whatever the settings; one sentence each.
     pub fn differs(&self) -> &'static [&'static str] {
         match self {
-            Self::OceanWater(_) => &[
-                "The text gives its plane no size: one of its units of height is 1 cm unless `unit_m` says otherwise.",
-            ],
+            Self::OceanWater(_) => {
+                &["The text gives its plane no size: one of its units of height is 1 cm unless `unit_m` \
+                 says otherwise."]
+            }
             Self::Meshuggah(_) => &[
                 "The mesh goes on to the horizon by an apron of rings.",
                 "Waves finer than the far mesh are drawn as normals, and those finer than a pixel widen the \
