@@ -77,28 +77,31 @@ impl Technique {
     pub fn source(&self) -> &'static str {
         match self {
             Self::OceanWater(_) => {
-                "John Isidoro, Alex Vlachos and Chris Brennan, \"Rendering Ocean Water\", in Direct3D ShaderX, ATI \
-                 Research, 2002"
+                "John Isidoro, Alex Vlachos and Chris Brennan (ATI), \"Rendering Ocean Water\", in Direct3D \
+                 ShaderX, 2002"
             }
             Self::RipplingLake(_) => {
-                "Alex Vlachos, John Isidoro and Chris Oat, \"Rippling Reflective and Refractive Water\", in Direct3D \
-                 ShaderX, ATI Research, 2002"
+                "Alex Vlachos, John Isidoro and Chris Oat (ATI), \"Rippling Reflective and Refractive Water\", in \
+                 Direct3D ShaderX, 2002"
             }
             Self::ProjectedGrid(_) => {
-                "Claes Johanson, \"Real-time water rendering: introducing the projected grid concept\", master's \
+                "Claes Johanson, \"Real-time water rendering: Introducing the projected grid concept\", master's \
                  thesis, Lund University, 2004"
             }
             Self::Meshuggah(_) => "Carsten Wenzel, \"Ocean scene\", in Meshuggah, 2002",
-            Self::FiveSample(_) => "Camilla Berglund, work log of an ocean shader of five samples",
+            Self::FiveSample(_) => {
+                "Berglund, work log of an ocean shader with five samples of one normal map"
+            }
         }
     }
 
     /// Where every scene that it draws departs from its text, whatever the settings; one sentence each.
     pub fn differs(&self) -> &'static [&'static str] {
         match self {
-            Self::OceanWater(_) => &[
-                "The text gives its plane no size: one of its units of height is 1 cm unless `unit_m` says otherwise.",
-            ],
+            Self::OceanWater(_) => {
+                &["The text gives its plane no size: one of its units of height is 1 cm unless `unit_m` \
+                 says otherwise."]
+            }
             Self::Meshuggah(_) => &[
                 "The mesh goes on to the horizon by an apron of rings.",
                 "Waves finer than the far mesh are drawn as normals, and those finer than a pixel widen the \

@@ -94,7 +94,7 @@ impl Bench {
         let names = frames.iter().flat_map(|frame| frame.passes.iter().map(|pass| pass.name.len()));
         let column = names.max().unwrap_or(0).max("sum".len());
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "{width} × {height} pixels, median of {} frames, on {adapter}", self.runs);
+        let _ = writeln!(text, "{width} × {height} pixels, median of {}, on {adapter}", self.runs);
         for FrameTime { scene, passes, sum_ms, .. } in frames {
             let _ = writeln!(text, "{scene}");
             for PassTime { name, ms } in passes {

@@ -44,7 +44,7 @@ fn without_a_scene_each_techniques_own_is_timed() {
     let own: Vec<&str> = words.filter(|word| whitecap_scene::named::find(word).is_some()).collect();
     assert_eq!(timed, own);
     assert_eq!(told.matches("  sum ").count(), own.len(), "{told}");
-    assert!(told.starts_with("16 × 9 pixels, median of 1 frames, on "), "{told}");
+    assert!(told.starts_with("16 × 9 pixels, median of 1, on "), "{told}");
 }
 
 #[test]

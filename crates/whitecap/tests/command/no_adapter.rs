@@ -21,7 +21,9 @@ fn without_a_driver_the_sentence_says_what_to_install() {
     std::fs::write(folder.path().join("sea.png"), "old").unwrap();
     let render = whitecap_without_drivers(folder.path()).args(["render", "-o", "sea.png"]).assert().code(1);
     let adapters = whitecap_without_drivers(folder.path()).arg("adapters").assert().code(1);
-    for assert in [&render, &adapters] {
+    let gallery = whitecap_without_drivers(folder.path()).args(["gallery", "-o", "new"]).assert().code(1);
+    let bench = whitecap_without_drivers(folder.path()).arg("bench").assert().code(1);
+    for assert in [&render, &adapters, &gallery, &bench] {
         let sentence = sentence(assert);
         assert!(sentence.starts_with("no graphics adapter found"), "{sentence}");
         assert!(sentence.contains("apt-get install libvulkan1 mesa-vulkan-drivers"), "{sentence}");
@@ -42,8 +44,9 @@ fn programs_learn_it_as_an_error_and_as_an_empty_list() {
 }
 
 #[test]
-fn scenes_are_listed_and_checked_all_the_same() {
+fn scenes_are_listed_checked_and_probed_all_the_same() {
     let folder = tempfile::tempdir().unwrap();
     whitecap_without_drivers(folder.path()).arg("scenes").assert().success();
     whitecap_without_drivers(folder.path()).args(["check", "meshuggah"]).assert().success();
+    whitecap_without_drivers(folder.path()).args(["probe", "--at", "0,0"]).assert().success();
 }

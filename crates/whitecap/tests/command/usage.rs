@@ -153,9 +153,15 @@ fn code_behind(shell: &str, arguments: &str) -> (i32, String) {
 #[cfg(unix)]
 #[test]
 fn a_reader_that_leaves_early_is_no_failure() {
-    for arguments in
-        ["--help", "man", "completions zsh", "scenes meshuggah", "scenes --json", "check meshuggah"]
-    {
+    for arguments in [
+        "--help",
+        "man",
+        "completions zsh",
+        "scenes meshuggah",
+        "scenes --json",
+        "check meshuggah",
+        "probe --at 0,0",
+    ] {
         // The right side is gone before the left side writes.
         let (code, stderr) = code_behind("(sleep 0.3; WHITECAP) | true; exit ${PIPESTATUS[0]}", arguments);
         assert_eq!((code, stderr.as_str()), (0, ""), "{arguments}");
@@ -165,7 +171,7 @@ fn a_reader_that_leaves_early_is_no_failure() {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_behind_standard_output_is_noticed() {
-    for arguments in ["scenes", "scenes --json", "man", "completions bash", "--help"] {
+    for arguments in ["scenes", "scenes --json", "probe --at 0,0", "man", "completions bash", "--help"] {
         let (code, stderr) = code_behind("WHITECAP > /dev/full", arguments);
         assert_eq!(code, 1, "{arguments}: {stderr}");
         assert!(stderr.starts_with("whitecap: cannot write to standard output: No space"), "{stderr}");

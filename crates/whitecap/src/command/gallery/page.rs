@@ -66,7 +66,7 @@ impl Setting {
         let Size { width, height } = self.timing_size;
         let timing = match self.runs {
             0 => String::new(),
-            runs => format!("; passes timed at {width} × {height} pixels, median of {runs} frames"),
+            runs => format!("; passes timed at {width} × {height} pixels, median of {runs}"),
         };
         let scenes = if count == 1 { "scene" } else { "scenes" };
         format!("{count} {scenes} at {} s, drawn on {}{timing}", self.time_s, self.adapter)
