@@ -9,6 +9,7 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::technique::meshuggah::meshuggah", "meshuggah_per_sample", &["per_sample"]),
     ("package::technique::meshuggah::vertices", "meshuggah_vertices", &[]),
     ("package::shader_lib::twins", "twins", &[]),
+    ("package::shader_lib::sines_twins", "sines_twins", &[]),
 ];
 
 fn main() {

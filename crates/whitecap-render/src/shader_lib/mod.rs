@@ -37,6 +37,8 @@ shaders! {
     MESHUGGAH_VERTICES = "meshuggah_vertices";
     /// Every shared function on a buffer of inputs.
     TWINS = "twins";
+    /// The sum of sines on a buffer of inputs.
+    SINES_TWINS = "sines_twins";
 }
 
 impl Shader {
