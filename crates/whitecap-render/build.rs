@@ -5,6 +5,8 @@
 const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::pass::sky", "sky", &[]),
     ("package::pass::objects", "objects", &[]),
+    ("package::technique::rippling_lake::rippling_lake", "rippling_lake", &[]),
+    ("package::technique::rippling_lake::twins", "rippling_lake_twins", &[]),
     ("package::technique::meshuggah::meshuggah", "meshuggah", &[]),
     ("package::technique::meshuggah::meshuggah", "meshuggah_per_sample", &["per_sample"]),
     ("package::technique::meshuggah::vertices", "meshuggah_vertices", &[]),
