@@ -46,8 +46,7 @@ impl RipplingLake {
         };
         let size_px = map_size(build.device, settings)?;
         let [r, g, b] = settings.deep_color;
-        let map = |role, sky, background| {
-            let margin_m = settings.map_margin_m as f32;
+        let map = |role, sky, background, margin_m| {
             PlanarPass::new(build, PlanarSettings { role, size_px, sky, background, margin_m })
         };
         let levels = bump::bump_map(build.scene.seed, settings.bump_resolution, settings.bump_slope)?;
@@ -55,8 +54,9 @@ impl RipplingLake {
         Ok(RipplingLake {
             settings: settings.clone(),
             sines,
-            reflection: map(Role::Mirror, true, [0.0, 0.0, 0.0, 1.0]),
-            refraction: map(Role::Refraction, false, [r, g, b, 1.0]),
+            // Without a margin: a flat bottom just under water would stand up as a false shore in the mirror.
+            reflection: map(Role::Mirror, true, [0.0, 0.0, 0.0, 1.0], 0.0),
+            refraction: map(Role::Refraction, false, [r, g, b, 1.0], settings.refraction_margin_m as f32),
             slots: ViewSlots::new(build.device, "rippling lake"),
             pipeline: Pipeline::new(build, &SquareGrid::new(settings.cells), bump),
         })

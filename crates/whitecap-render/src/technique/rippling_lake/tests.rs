@@ -34,23 +34,17 @@ fn rust_and_wgsl_agree_about_layout() {
     );
 }
 
-/// A scene of this technique: the named one without its objects, with some text replaced.
-fn scene(edits: &[(&str, &str)]) -> Scene {
-    let toml = whitecap_scene::named::find("rippling-lake").unwrap().toml;
-    let mut toml = toml[..toml.find("[[object]]").unwrap()].to_owned();
-    for (from, to) in edits {
-        assert!(toml.contains(from), "{from}");
-        toml = toml.replace(from, to);
-    }
-    Scene::from_toml(&toml, "test.toml").unwrap()
+/// The named scene without its objects, its lake of these settings and with a small bump map.
+fn lake_scene(keys: &str) -> Scene {
+    lake_scene_with_bumps(64, keys)
 }
 
-const TABLE: &str = "[rippling-lake]\n";
-
-/// A lake of these settings, with a small bump map.
-fn lake_scene(keys: &str) -> Scene {
-    let table = format!("{TABLE}bump_resolution = 64\n{keys}\n");
-    scene(&[(TABLE, &table), ("size_m = 112.0\n", ""), ("cells = 96\n", "")])
+fn lake_scene_with_bumps(resolution: u32, keys: &str) -> Scene {
+    let toml = whitecap_scene::named::find("rippling-lake").unwrap().toml;
+    let place = |of: &str| toml.find(of).unwrap();
+    let (before, after) = (&toml[..place("[rippling-lake]")], &toml[place("[sky]")..place("[[object]]")]);
+    let table = format!("[rippling-lake]\nbump_resolution = {resolution}\n{keys}\n");
+    Scene::from_toml(&format!("{before}{table}{after}"), "test.toml").unwrap()
 }
 
 /// The scene's technique with `models` in the water, on the test adapter.
@@ -412,7 +406,7 @@ fn the_lakes_maps_never_show_the_wrong_side() {
         block([-3.0, -2.0, -1.0], [-1.0, -0.001, 1.0], BLUE),
         block([1.0, -1.5, -1.0], [3.0, -0.2, 1.0], BLUE),
     ];
-    let keys = "map_margin_m = 0.0\nmap_width_px = 300\nmap_height_px = 170";
+    let keys = "refraction_margin_m = 0.0\nmap_width_px = 300\nmap_height_px = 170";
     let mut fixture = Fixture::new(gpu, &lake_scene(keys), models);
     for time_s in [0.0, 2.5] {
         let view = view_of([2.0, 3.0, 9.0], [0.0, 0.0, 0.0], [320, 180]);
@@ -525,7 +519,7 @@ fn every_setting_has_an_effect() {
         cells: _,
         map_width_px: _,
         map_height_px: _,
-        map_margin_m: _,
+        refraction_margin_m: _,
         bump_resolution: _,
         bump_slope: _,
         bump_tiling_0: _,
@@ -555,7 +549,7 @@ fn every_setting_has_an_effect() {
         "cells = 8",
         "map_width_px = 64",
         "map_height_px = 64",
-        "map_margin_m = 0.5",
+        "refraction_margin_m = 0.5",
         "bump_slope = 0.1",
         "bump_tiling_0 = [3.0, 2.0]",
         "bump_tiling_1 = [2.7, 1.7]",
@@ -576,9 +570,8 @@ fn every_setting_has_an_effect() {
         let seen = fixture.draw(&[view], 5.0).remove(0).texels;
         assert_ne!(seen, base, "{keys}");
     }
-    let finer = scene(&[(TABLE, "[rippling-lake]\nbump_resolution = 128\n"), ("cells = 96\n", "")]);
-    let coarser = scene(&[(TABLE, "[rippling-lake]\nbump_resolution = 64\n"), ("cells = 96\n", "")]);
-    let [finer, coarser] = [finer, coarser].map(|scene| {
+    let [finer, coarser] = [128, 64].map(|resolution| {
+        let scene = lake_scene_with_bumps(resolution, "");
         fixture.lake = Fixture::lake(gpu, &scene, &fixture.shared, &fixture.objects);
         fixture.draw(&[view], 5.0).remove(0).texels
     });
