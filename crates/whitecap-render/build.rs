@@ -5,10 +5,13 @@
 const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::pass::sky", "sky", &[]),
     ("package::pass::objects", "objects", &[]),
+    ("package::technique::rippling_lake::rippling_lake", "rippling_lake", &[]),
+    ("package::technique::rippling_lake::twins", "rippling_lake_twins", &[]),
     ("package::technique::meshuggah::meshuggah", "meshuggah", &[]),
     ("package::technique::meshuggah::meshuggah", "meshuggah_per_sample", &["per_sample"]),
     ("package::technique::meshuggah::vertices", "meshuggah_vertices", &[]),
     ("package::shader_lib::twins", "twins", &[]),
+    ("package::shader_lib::sines_twins", "sines_twins", &[]),
 ];
 
 fn main() {

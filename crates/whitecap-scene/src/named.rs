@@ -15,11 +15,18 @@ pub struct NamedScene {
 pub const DEFAULT: &str = "meshuggah";
 
 /// Every named scene.
-pub const ALL: &[NamedScene] = &[NamedScene {
-    name: "meshuggah",
-    title: "Wenzel's ocean of 2002: a low sun, a fresh breeze",
-    toml: include_str!("../scenes/meshuggah.toml"),
-}];
+pub const ALL: &[NamedScene] = &[
+    NamedScene {
+        name: "rippling-lake",
+        title: "ATI's lake of 2002: a clear lake that mirrors its shore",
+        toml: include_str!("../scenes/rippling-lake.toml"),
+    },
+    NamedScene {
+        name: "meshuggah",
+        title: "Wenzel's ocean of 2002: a low sun, a fresh breeze",
+        toml: include_str!("../scenes/meshuggah.toml"),
+    },
+];
 
 /// The named scene of this name.
 pub fn find(name: &str) -> Option<&'static NamedScene> {

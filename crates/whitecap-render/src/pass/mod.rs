@@ -5,5 +5,7 @@ mod planar;
 mod sky;
 
 pub(crate) use objects::{ObjectPass, Objects};
+#[cfg(test)]
+pub(crate) use planar::tests as planar_tests;
 pub(crate) use planar::{PlanarPass, PlanarSettings};
 pub(crate) use sky::SkyPass;

@@ -50,17 +50,27 @@ impl Objects {
         queue: &wgpu::Queue,
         scene: &Scene,
     ) -> Result<Self, RenderError> {
-        let drawn: Vec<Drawn> =
-            scene.read_objects()?.into_iter().map(|model| Drawn::new(device, queue, model)).collect();
+        let models = scene.read_objects()?;
+        let floats = models.iter().any(|model| model.object.floats);
+        let surface = if floats { Some(scene.sea.build(scene.seed)?) } else { None };
+        Ok(Objects::of_models(device, queue, models, surface))
+    }
+
+    /// These models, those that float on `surface`.
+    pub(crate) fn of_models(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        models: Vec<Model>,
+        surface: Option<whitecap_scene::sea::SeaSurface>,
+    ) -> Self {
+        let drawn: Vec<Drawn> = models.into_iter().map(|model| Drawn::new(device, queue, model)).collect();
         let slots = ViewSlots::with_slots(device, "objects", MAX_VIEWS * drawn.len());
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("object"),
             entries: &[ViewSlots::<GpuObject>::layout_entry(0, wgpu::ShaderStages::VERTEX)],
         });
         let group = bind_group(device, "objects", &layout, [slots.binding()]);
-        let floats = drawn.iter().any(|drawn| drawn.model.object.floats);
-        let surface = if floats { Some(scene.sea.build(scene.seed)?) } else { None };
-        Ok(Objects { drawn, slots, layout, group, surface })
+        Objects { drawn, slots, layout, group, surface }
     }
 
     pub(crate) fn is_empty(&self) -> bool {

@@ -105,3 +105,6 @@ impl PlanarPass {
         }
     }
 }
+
+#[cfg(test)]
+pub(crate) mod tests;

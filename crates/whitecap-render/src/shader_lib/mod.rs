@@ -29,6 +29,10 @@ shaders! {
     SKY = "sky";
     /// What stands or floats in the water.
     OBJECTS = "objects";
+    /// ATI's lake.
+    RIPPLING_LAKE = "rippling_lake";
+    /// Both stages of the lake on buffers of inputs.
+    RIPPLING_LAKE_TWINS = "rippling_lake_twins";
     /// The Meshuggah ocean.
     MESHUGGAH = "meshuggah";
     /// The same, shaded once for each sample instead of once for each pixel.
@@ -37,6 +41,8 @@ shaders! {
     MESHUGGAH_VERTICES = "meshuggah_vertices";
     /// Every shared function on a buffer of inputs.
     TWINS = "twins";
+    /// The sum of sines on a buffer of inputs.
+    SINES_TWINS = "sines_twins";
 }
 
 impl Shader {

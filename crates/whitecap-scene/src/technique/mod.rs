@@ -10,7 +10,7 @@ pub use five_sample::FiveSample;
 pub use meshuggah::{FresnelForm, Meshuggah, WaterColor};
 pub use ocean_water::OceanWater;
 pub use projected_grid::ProjectedGrid;
-pub use rippling_lake::RipplingLake;
+pub use rippling_lake::{RipplingLake, SwapUv};
 
 use crate::error::SceneError;
 use crate::reader::TableReader;
