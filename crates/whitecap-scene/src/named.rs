@@ -15,11 +15,28 @@ pub struct NamedScene {
 pub const DEFAULT: &str = "meshuggah";
 
 /// Every named scene.
-pub const ALL: &[NamedScene] = &[NamedScene {
-    name: "meshuggah",
-    title: "Wenzel's ocean of 2002: a low sun, a fresh breeze",
-    toml: include_str!("../scenes/meshuggah.toml"),
-}];
+pub const ALL: &[NamedScene] = &[
+    NamedScene {
+        name: "ocean-water",
+        title: "ATI's ocean of 2002: four sines under a bright sky",
+        toml: include_str!("../scenes/ocean-water.toml"),
+    },
+    NamedScene {
+        name: "ocean-water-glow",
+        title: "the same towards evening, its sparkles from a glow map",
+        toml: include_str!("../scenes/ocean-water-glow.toml"),
+    },
+    NamedScene {
+        name: "ocean-water-shore",
+        title: "the same round an island, whose shore calms the waves",
+        toml: include_str!("../scenes/ocean-water-shore.toml"),
+    },
+    NamedScene {
+        name: "meshuggah",
+        title: "Wenzel's ocean of 2002: a low sun, a fresh breeze",
+        toml: include_str!("../scenes/meshuggah.toml"),
+    },
+];
 
 /// The named scene of this name.
 pub fn find(name: &str) -> Option<&'static NamedScene> {
