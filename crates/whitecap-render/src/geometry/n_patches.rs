@@ -256,9 +256,8 @@ mod tests {
     #[test]
     fn a_sphere_becomes_rounder() {
         let refined = octahedron(6);
-        let along = |axis: usize| -> Vec<f32> {
-            refined.interpolate(&CORNERS.map(|corner| corner[axis])).collect()
-        };
+        let along =
+            |axis: usize| -> Vec<f32> { refined.interpolate(&CORNERS.map(|corner| corner[axis])).collect() };
         let (x, y, z) = (along(0), along(1), along(2));
         for i in 6..refined.positions.len() {
             let (curved, flat) = (Vec3::from(refined.positions[i]), Vec3::new(x[i], y[i], z[i]));

@@ -28,8 +28,7 @@ impl Mesh {
     pub(super) fn new(settings: &Settings, refinement: u32) -> Mesh {
         let square = TiledGrid::new(settings.grid_cells, 0.0);
         let place = |cell: f32| cell.signum() * distance_m(settings, cell.abs() as u32);
-        let coarse: Vec<Vec2> =
-            square.vertices.iter().map(|&[x, z]| Vec2::new(place(x), place(z))).collect();
+        let coarse: Vec<Vec2> = square.vertices.iter().map(|&[x, z]| Vec2::new(place(x), place(z))).collect();
         let half_m = distance_m(settings, settings.grid_cells / 2);
         let positions: Vec<[f32; 3]> = coarse.iter().map(|at| [at.x, 0.0, at.y]).collect();
         let normals = vec![[0.0, 1.0, 0.0]; positions.len()];

@@ -46,10 +46,7 @@ pub(super) struct OceanWater {
 }
 
 impl OceanWater {
-    pub(super) fn new(
-        build: &Build<'_>,
-        settings: &settings::OceanWater,
-    ) -> Result<OceanWater, RenderError> {
+    pub(super) fn new(build: &Build<'_>, settings: &settings::OceanWater) -> Result<OceanWater, RenderError> {
         let SeaSurface::Sines(sines) = build.scene.sea.build(build.scene.seed)? else {
             return Err(wrong_sea(build));
         };
