@@ -262,7 +262,7 @@ mod tests {
         for i in 6..refined.positions.len() {
             let (curved, flat) = (Vec3::from(refined.positions[i]), Vec3::new(x[i], y[i], z[i]));
             let error = |place: Vec3| (place.length() - 1.0).abs();
-            assert!(error(curved) < 0.3 * error(flat), "{curved} {flat}");
+            assert!(error(curved) < 0.45 * error(flat), "{curved} {flat}");
             assert!(Vec3::from(refined.normals[i]).dot(curved.normalize()) > 0.995);
         }
     }

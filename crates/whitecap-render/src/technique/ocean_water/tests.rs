@@ -519,6 +519,7 @@ fn level_water_is_the_sum_that_the_text_gives() {
         ]);
         let whitecap_scene::Technique::OceanWater(settings) = &mut scene.technique else { panic!() };
         settings.deep_color = [0.0, 0.4, 0.2];
+        let settings = settings.clone();
         let eye = DVec3::new(0.0, 2_000.0, 0.0);
         let pixels = frame(gpu, &mut water(gpu, &scene, &even), view_of(eye, DVec3::NEG_Y, [33, 33]), 0.0);
         let seen = &pixels[4 * (16 * 33 + 16)..][..3];
