@@ -10,6 +10,11 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::technique::meshuggah::meshuggah", "meshuggah", &[]),
     ("package::technique::meshuggah::meshuggah", "meshuggah_per_sample", &["per_sample"]),
     ("package::technique::meshuggah::vertices", "meshuggah_vertices", &[]),
+    ("package::technique::ocean_water::ocean_water", "ocean_water", &[]),
+    ("package::technique::ocean_water::ocean_water", "ocean_water_per_sample", &["per_sample"]),
+    ("package::technique::ocean_water::sky_map", "ocean_water_sky", &[]),
+    ("package::technique::ocean_water::vertices", "ocean_water_vertices", &[]),
+    ("package::technique::ocean_water::twins", "ocean_water_twins", &[]),
     ("package::shader_lib::twins", "twins", &[]),
     ("package::shader_lib::sines_twins", "sines_twins", &[]),
 ];

@@ -20,6 +20,19 @@ pub const ALL: &[NamedScene] = &[
         name: "rippling-lake",
         title: "ATI's lake of 2002: a clear lake that mirrors its shore",
         toml: include_str!("../scenes/rippling-lake.toml"),
+        name: "ocean-water",
+        title: "ATI's ocean of 2002: four sines under a bright sky",
+        toml: include_str!("../scenes/ocean-water.toml"),
+    },
+    NamedScene {
+        name: "ocean-water-glow",
+        title: "the same towards evening, its sparkles from a glow map",
+        toml: include_str!("../scenes/ocean-water-glow.toml"),
+    },
+    NamedScene {
+        name: "ocean-water-shore",
+        title: "the same round an island, whose shore calms the waves",
+        toml: include_str!("../scenes/ocean-water-shore.toml"),
     },
     NamedScene {
         name: "meshuggah",

@@ -16,7 +16,7 @@ const MAX_RADIANCE: f32 = 60_000.0;
 
 /// Six faces and their mip chain, display-referred, as half floats.
 pub struct CubeMap {
-    /// For each level all six faces (+x −x +y −y +z −z), rows downwards, RGBA.
+    /// For each level all six faces (+x −x +y −y +z −z), rows downwards, RGBA; alpha is the [`glow`].
     pub levels: Vec<Vec<[f16; 4]>>,
 }
 
@@ -163,7 +163,14 @@ fn sun_in_texel(sun: &Sun, face: usize, x: u32, y: u32) -> Vec3 {
 
 fn encode(level: &[Vec3]) -> Vec<[f16; 4]> {
     let encode = |v: f32| f16::from_f32(display_from_linear(v));
-    level.par_iter().map(|c| [encode(c.x), encode(c.y), encode(c.z), f16::ONE]).collect()
+    let texel = |c: &Vec3| [encode(c.x), encode(c.y), encode(c.z), f16::from_f32(glow(*c))];
+    level.par_iter().map(texel).collect()
+}
+
+/// How far light (linear) is above what a display shows as white, from 0 for white and below to 1 for the brightest
+/// that is kept: in stops, as a share of those there are.
+pub fn glow(radiance: Vec3) -> f32 {
+    radiance.max_element().max(1.0).log2() / MAX_RADIANCE.log2()
 }
 
 #[cfg(test)]
@@ -201,6 +208,17 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn only_what_is_brighter_than_white_glows() {
+        assert_eq!([0.0, 0.3, 1.0].map(|l| glow(Vec3::new(l, 0.0, l))), [0.0; 3]);
+        assert!((glow(Vec3::splat(MAX_RADIANCE)) - 1.0).abs() < 1e-6);
+        assert!((glow(Vec3::new(1.0, MAX_RADIANCE.sqrt(), 0.0)) - 0.5).abs() < 1e-6);
+        let sun = Sun { toward: Vec3::X, radiance: Vec3::splat(20_000.0) };
+        let cube = CubeMap::bake(|_| Vec3::splat(0.5), Some(&sun), 1);
+        let glowing = cube.levels[0].iter().filter(|texel| texel[3].to_f32() > 0.0).count();
+        assert!((4..40).contains(&glowing), "{glowing} texels");
     }
 
     #[test]

@@ -9,7 +9,7 @@ mod cube;
 mod display;
 
 pub use atmosphere::Atmosphere;
-pub use cube::{CubeMap, FACE_SIZE};
+pub use cube::{CubeMap, FACE_SIZE, glow};
 pub use display::{display_from_linear, linear_from_display};
 
 use crate::RenderError;

@@ -25,10 +25,28 @@ impl TiledGrid {
     pub fn new(cells: u32, reach: f32) -> TiledGrid {
         let mut grid = TiledGrid { vertices: Vec::new(), indices: Vec::new() };
         grid.add_square(cells);
-        let mut half = cells as f32 / 2.0;
-        let mut ring = grid.border_of_square(cells);
-        let mut segments = cells;
-        while half < reach {
+        grid.add_apron(grid.border_of_square(cells), reach);
+        grid
+    }
+
+    /// A square mesh of your own with an apron out to at least `reach`. `border` runs once round the square,
+    /// whose middle is the origin, from its north-west corner eastwards; each side has as many segments.
+    ///
+    /// # Panics
+    ///
+    /// If an index of the border is out of range.
+    pub fn around(vertices: Vec<[f32; 2]>, indices: Vec<u32>, border: Vec<u32>, reach: f32) -> TiledGrid {
+        let mut grid = TiledGrid { vertices, indices };
+        grid.add_apron(border, reach);
+        grid
+    }
+
+    fn add_apron(&mut self, border: Vec<u32>, reach: f32) {
+        let corner = border.first().map_or([0.0; 2], |&corner| self.vertices[corner as usize]);
+        let mut half = corner[0].abs();
+        let mut segments = border.len() as u32 / 4;
+        let mut ring = border;
+        while half > 0.0 && half < reach {
             half *= RING_GROWTH;
             // Halving as the rings widen keeps their squares square.
             let coarser = if segments.is_multiple_of(2) && segments / 2 >= MIN_SEGMENTS {
@@ -36,11 +54,10 @@ impl TiledGrid {
             } else {
                 segments
             };
-            let next = grid.add_ring(half, coarser);
-            grid.join(&ring, segments, &next, coarser);
+            let next = self.add_ring(half, coarser);
+            self.join(&ring, segments, &next, coarser);
             (ring, segments) = (next, coarser);
         }
-        grid
     }
 
     fn add_square(&mut self, cells: u32) {

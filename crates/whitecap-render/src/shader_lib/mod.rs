@@ -39,6 +39,16 @@ shaders! {
     MESHUGGAH_PER_SAMPLE = "meshuggah_per_sample";
     /// The Meshuggah ocean's vertex stage as a compute shader, for reading its results back.
     MESHUGGAH_VERTICES = "meshuggah_vertices";
+    /// ATI's ocean.
+    OCEAN_WATER = "ocean_water";
+    /// The same, shaded once for each sample instead of once for each pixel.
+    OCEAN_WATER_PER_SAMPLE = "ocean_water_per_sample";
+    /// Cuts the environment off at white, into 8 bits.
+    OCEAN_WATER_SKY = "ocean_water_sky";
+    /// The vertex stage of ATI's ocean as a compute shader, for reading its results back.
+    OCEAN_WATER_VERTICES = "ocean_water_vertices";
+    /// The functions of ATI's ocean on a buffer of inputs.
+    OCEAN_WATER_TWINS = "ocean_water_twins";
     /// Every shared function on a buffer of inputs.
     TWINS = "twins";
     /// The sum of sines on a buffer of inputs.

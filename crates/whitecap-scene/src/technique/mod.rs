@@ -8,7 +8,7 @@ mod rippling_lake;
 
 pub use five_sample::FiveSample;
 pub use meshuggah::{FresnelForm, Meshuggah, WaterColor};
-pub use ocean_water::OceanWater;
+pub use ocean_water::{Highlights, OceanWater, Tangent};
 pub use projected_grid::ProjectedGrid;
 pub use rippling_lake::{RipplingLake, SwapUv};
 

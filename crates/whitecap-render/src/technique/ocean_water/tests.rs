@@ -1,0 +1,586 @@
+use super::gpu::{GpuOceanWater, GpuSineWaves};
+use super::*;
+use crate::environment::Environment;
+use crate::gpu::for_tests::{compute, gpu};
+use crate::gpu::resources::{bind_group, texture_2d};
+use crate::gpu::{read_buffer, read_texture};
+use crate::pass::Objects;
+use crate::shader_lib::{self, layout::assert_layout};
+use crate::uniforms::Shared;
+use crate::{Gpu, TargetFormat, Water};
+use glam::Vec3;
+use whitecap_scene::{Camera, Scene};
+use whitecap_waves::model::Surface;
+use whitecap_waves::model::sines::{SumOfSinesParameters, Taylor};
+use whitecap_waves::optics::classics::{BumpFrame, HIGHLIGHT_COLOR, ocean_water_pixel};
+
+#[test]
+fn rust_and_wgsl_agree_about_layout() {
+    let wgsl = shader_lib::OCEAN_WATER.wgsl;
+    assert_layout!(
+        GpuSineWaves,
+        wgsl,
+        "SineWaves",
+        [height, direction_x, direction_y, sine, cosine, stretch, slope_factor, mended_tangent]
+    );
+    assert_layout!(
+        GpuOceanWater,
+        wgsl,
+        "GpuOceanWater",
+        [
+            waves,
+            centre_phases,
+            centre_bump_uv,
+            centre_from_eye,
+            unit_m,
+            highlight_color,
+            glow,
+            uv_per_m,
+            bumps_per_m,
+        ]
+    );
+    assert_layout!(VertexInput, shader_lib::OCEAN_WATER_TWINS.wgsl, "VertexInput", [waves, phases, damp]);
+    assert_layout!(
+        PixelInput,
+        shader_lib::OCEAN_WATER_TWINS.wgsl,
+        "PixelInput",
+        [first, second, toward_eye, frame, sky, water, highlight]
+    );
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+struct VertexInput {
+    waves: GpuSineWaves,
+    phases: [f32; 4],
+    damp: [f32; 4],
+}
+
+impl VertexInput {
+    fn new(sines: &SumOfSines, mended: bool, uv: DVec2, time_s: f64, damp: f32) -> VertexInput {
+        VertexInput {
+            waves: GpuSineWaves::new(sines.parameters(), mended),
+            phases: sines.phases(uv, time_s).map(|phase| phase as f32),
+            damp: [damp; 4],
+        }
+    }
+}
+
+/// Height and derivatives, binormal, tangent, normal.
+type VertexOutput = [[f32; 4]; 4];
+
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+struct PixelInput {
+    first: [f32; 4],
+    second: [f32; 4],
+    toward_eye: [f32; 4],
+    frame: [[f32; 4]; 3],
+    sky: [f32; 4],
+    water: [f32; 4],
+    highlight: [f32; 4],
+}
+
+/// Bump and N·V, reflection and address, colour and sparkle.
+type PixelOutput = [[f32; 4]; 3];
+
+fn close(seen: f32, expected: f64, tolerance: f64) {
+    assert!((f64::from(seen) - expected).abs() <= tolerance, "{seen} instead of {expected}");
+}
+
+fn close3(seen: [f32; 4], expected: DVec3, tolerance: f64) {
+    for (seen, expected) in seen.into_iter().zip(expected.to_array()) {
+        close(seen, expected, tolerance);
+    }
+}
+
+fn printed() -> SumOfSines {
+    SumOfSines::new(SumOfSinesParameters::OCEAN_WATER).unwrap()
+}
+
+/// One wave of height 1 along u at a phase gives s and q; the printed constants give height, slopes and normal.
+#[test]
+fn golden_vertices() {
+    let Some(gpu) = gpu() else { return };
+    let mut one = SumOfSinesParameters::OCEAN_WATER;
+    for (i, wave) in one.waves.iter_mut().enumerate() {
+        wave.height = if i == 0 { 1.0 } else { 0.0 };
+        wave.offset_turns = 0.0;
+        wave.direction_per_uv = DVec2::X;
+    }
+    let one = SumOfSines::new(one).unwrap();
+    let series = [
+        (0.0, -0.081375, -0.976022),
+        (0.1, -0.666921, -0.799052),
+        (0.25, -1.017799, 0.031431),
+        (0.5, 0.062792, 0.998027),
+        (0.75, 1.018611, -0.094064),
+        (0.9, 0.568820, -0.866097),
+    ];
+    let inputs = series.map(|(f, ..)| VertexInput::new(&one, false, DVec2::new(f, 0.0), 0.0, 0.0));
+    let seen: Vec<VertexOutput> = compute(gpu, &shader_lib::OCEAN_WATER_TWINS, "cs_vertex", &inputs);
+    for ([surface, ..], (_, s, q)) in seen.into_iter().zip(series) {
+        close(surface[0], s, 1e-5);
+        close(surface[1], -q, 1e-5);
+    }
+
+    let goldens = [
+        ([0.0, 0.0, 0.0], [-106.35375, 12.20028, 1.34523], [0.036576, 0.004033, 0.999323]),
+        ([0.3, 0.7, 1.0], [-102.12166, -3.41076, -13.78677], [-0.010223, -0.041323, 0.999094]),
+        ([2.5, 1.25, 3.7], [-17.81397, -13.35977, 11.60173], [-0.040023, 0.034756, 0.998594]),
+    ];
+    let inputs = goldens.map(|([u, v, t], ..)| VertexInput::new(&printed(), false, DVec2::new(u, v), t, 0.0));
+    let seen: Vec<VertexOutput> = compute(gpu, &shader_lib::OCEAN_WATER_TWINS, "cs_vertex", &inputs);
+    for ([surface, _, _, normal], (_, heights, n)) in seen.into_iter().zip(goldens) {
+        // Heights of 100 in f32: 1e-5 of the largest.
+        close3(surface, heights.into(), 1e-3);
+        close3(normal, n.into(), 1e-5);
+    }
+}
+
+/// The whole vertex stage against its f64 twin, damped and not, printed and mended.
+#[test]
+fn vertices_equal_their_twins() {
+    let Some(gpu) = gpu() else { return };
+    let mended = SumOfSinesParameters { taylor: Taylor::Mended, ..SumOfSinesParameters::OCEAN_WATER };
+    for sines in [printed(), SumOfSines::new(mended).unwrap()] {
+        let cases: Vec<(DVec2, f64, f32)> = (0..200)
+            .map(|i| f64::from(i))
+            .map(|i| (DVec2::new(0.37 * i - 20.0, 11.0 - 0.83 * i), 1.7 * i - 100.0, (i % 5.0) as f32 / 4.0))
+            .collect();
+        let inputs: Vec<VertexInput> =
+            cases.iter().map(|&(uv, t, damp)| VertexInput::new(&sines, false, uv, t, damp)).collect();
+        let seen: Vec<VertexOutput> = compute(gpu, &shader_lib::OCEAN_WATER_TWINS, "cs_vertex", &inputs);
+        for ([surface, binormal, tangent, normal], (uv, t, damp)) in seen.into_iter().zip(cases) {
+            let twin = sines.at_uv(uv, t, f64::from(damp));
+            close3(surface, DVec3::new(twin.height, twin.derivatives.x, twin.derivatives.y), 2e-3);
+            close3(binormal, twin.binormal, 1e-5);
+            close3(tangent, twin.tangent, 1e-5);
+            close3(normal, twin.normal, 1e-5);
+            if damp == 1.0 {
+                assert_eq!((surface[0], normal), (0.0, [0.0, 0.0, 1.0, 0.0]));
+            }
+        }
+    }
+}
+
+/// As printed, the tangent along v is tilted by the derivative along u; mended, it lies in the surface.
+#[test]
+fn the_mended_tangent_is_at_right_angles_to_the_normal() {
+    let Some(gpu) = gpu() else { return };
+    let uv = DVec2::new(0.3, 0.7);
+    let inputs = [false, true].map(|mended| VertexInput::new(&printed(), mended, uv, 1.0, 0.0));
+    let seen: Vec<VertexOutput> = compute(gpu, &shader_lib::OCEAN_WATER_TWINS, "cs_vertex", &inputs);
+    let off = seen.iter().map(|v| Vec3::from_slice(&v[2]).dot(Vec3::from_slice(&v[3]))).collect::<Vec<_>>();
+    assert!(off[0].abs() > 0.02 && off[1].abs() < 1e-6, "{off:?}");
+}
+
+fn pixel(first: [f32; 3], second: [f32; 3], toward_eye: [f32; 3]) -> PixelInput {
+    let four = |[x, y, z]: [f32; 3]| [x, y, z, 0.0];
+    PixelInput {
+        first: four(first),
+        second: four(second),
+        toward_eye: four(toward_eye),
+        frame: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
+        sky: [0.7, 0.85, 0.95, -1.0],
+        water: [0.1, 0.3, 0.35, 0.0],
+        highlight: four(HIGHLIGHT_COLOR.map(|c| c as f32)),
+    }
+}
+
+#[test]
+fn golden_pixels() {
+    let Some(gpu) = gpu() else { return };
+    let inputs = [
+        pixel([0.5, 0.5, 1.0], [0.5, 0.5, 1.0], [0.0, 0.0, 1.0]),
+        pixel([0.6, 0.45, 0.9], [0.5, 0.55, 1.0], [0.6, 0.0, 0.8]),
+        pixel([0.8, 0.3, 0.85], [0.7, 0.4, 0.9], [0.9798, 0.0, 0.2]),
+    ];
+    let seen: Vec<PixelOutput> = compute(gpu, &shader_lib::OCEAN_WATER_TWINS, "cs_pixel", &inputs);
+    let goldens = [
+        ([0.0, 0.0, 1.0, 1.0], [0.0, 0.0, 1.0, 1.0], [0.267992, 0.357093, 0.343944, 0.272491]),
+        ([0.05, 0.0, 0.9, 0.75], [-0.525, 0.0, 0.55, 1.0], [0.298617, 0.402249, 0.400350, 0.272491]),
+        (
+            [0.25, -0.15, 0.85, 0.41495],
+            [-0.772325, -0.124485, 0.505415, 0.8299],
+            [0.339661, 0.462767, 0.475946, 0.272491],
+        ),
+    ];
+    for (seen, (bump, reflection, color)) in seen.into_iter().zip(goldens) {
+        for (seen, expected) in seen.into_iter().zip([bump, reflection, color]) {
+            for (seen, expected) in seen.into_iter().zip(expected) {
+                close(seen, expected, 1e-5);
+            }
+        }
+    }
+}
+
+/// The pixel stage against its f64 twin in frames that are neither straight nor of length 1, and from behind; and
+/// with a glow in place of the green.
+#[test]
+fn pixels_equal_their_twins() {
+    let Some(gpu) = gpu() else { return };
+    let inputs: Vec<PixelInput> = (0..300)
+        .map(|i| {
+            let wave = |k: f32| 0.5 + 0.5 * (k * i as f32 + k).sin();
+            let signed = |k: f32| 2.0 * wave(k) - 1.0;
+            let mut input = pixel(
+                [wave(0.3), wave(0.7), wave(1.1)],
+                [wave(1.3), wave(1.7), wave(1.9)],
+                Vec3::new(signed(2.3), signed(2.9), signed(3.1)).normalize_or(Vec3::Z).to_array(),
+            );
+            input.frame = [
+                [0.98, signed(3.7) * 0.2, signed(4.1) * 0.2, 0.0],
+                [signed(4.3) * 0.2, 0.97, signed(4.7) * 0.2, 0.0],
+                [signed(5.3) * 0.2, signed(5.9) * 0.2, 0.95, 0.0],
+            ];
+            input.sky = [wave(6.1), wave(6.7), wave(7.1), if i % 3 == 0 { wave(7.3) } else { -1.0 }];
+            input
+        })
+        .collect();
+    let seen: Vec<PixelOutput> = compute(gpu, &shader_lib::OCEAN_WATER_TWINS, "cs_pixel", &inputs);
+    for (input, [bump, reflection, color]) in inputs.iter().zip(seen) {
+        let three = |v: [f32; 4]| [v[0], v[1], v[2]].map(f64::from);
+        let column = |i: usize| DVec3::from(three(input.frame[i]));
+        let frame = BumpFrame { binormal: column(0), tangent: column(1), normal: column(2) };
+        let twin = ocean_water_pixel(
+            three(input.first),
+            three(input.second),
+            three(input.toward_eye).into(),
+            &frame,
+            |_| three(input.sky),
+            |_| three(input.water),
+        );
+        close3(bump, twin.bump, 1e-5);
+        close(bump[3], twin.cos_view, 1e-5);
+        close3(reflection, twin.reflection, 1e-5);
+        close(reflection[3], twin.gradient_address, 1e-5);
+        if input.sky[3] < 0.0 {
+            close(color[3], twin.sparkle, 1e-5);
+            close3(color, twin.color, 1e-5);
+        } else {
+            close(color[3], f64::from(input.sky[3]), 0.0);
+            let glow = color[3] * Vec3::from(HIGHLIGHT_COLOR.map(|c| c as f32));
+            close3(color, (twin.water + glow.as_dvec3()).min(DVec3::ONE), 1e-5);
+        }
+    }
+}
+
+fn scene(edits: &[(&str, &str)]) -> Scene {
+    let mut toml = whitecap_scene::named::find("ocean-water").unwrap().toml.to_owned();
+    for (from, to) in edits {
+        assert!(toml.contains(from), "the scene has no {from}");
+        toml = toml.replacen(from, to, 1);
+    }
+    Scene::from_toml(&toml, "test.toml").unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// A sky that is quick to make: dark below, brighter towards the south, with a small lamp.
+fn environment() -> &'static Environment {
+    static ENVIRONMENT: std::sync::OnceLock<Environment> = std::sync::OnceLock::new();
+    ENVIRONMENT.get_or_init(|| {
+        let lamp = Vec3::new(-0.8, 0.4, 0.3).normalize();
+        let radiance = |d: Vec3| {
+            if d.dot(lamp) > 0.995 {
+                Vec3::splat(100.0)
+            } else {
+                Vec3::new(0.2, 0.3, 0.4) * (1.0 + 0.5 * d.z)
+            }
+        };
+        Environment {
+            cube: crate::environment::CubeMap::bake(radiance, None, 1),
+            sun: None,
+            irradiance: Vec3::ONE,
+            daylight: 1.0,
+        }
+    })
+}
+
+fn view_of(eye_m: DVec3, toward: DVec3, size_px: [u32; 2]) -> View {
+    let look_at_m = (eye_m + 100.0 * toward).to_array();
+    View::of_camera(&Camera { position_m: eye_m.to_array(), look_at_m, vertical_fov_deg: 50.0 }, size_px)
+}
+
+fn with_technique(scene: &Scene, test: impl FnOnce(&Gpu, OceanWater)) {
+    let Some(gpu) = gpu() else { return };
+    let (device, queue) = (&gpu.device, &gpu.queue);
+    let shared = Shared::new(device, queue, environment(), TargetFormat::default());
+    let objects = Objects::new(device, queue, scene).unwrap();
+    let whitecap_scene::Technique::OceanWater(settings) = &scene.technique else { panic!() };
+    let build = Build {
+        device,
+        queue,
+        scene,
+        shared: &shared,
+        objects: &objects,
+        irradiance: Vec3::ONE,
+        daylight: 1.0,
+        toward_sun: Vec3::Y,
+    };
+    let technique = OceanWater::new(&build, settings).unwrap();
+    test(gpu, technique);
+}
+
+/// Runs the vertex stage's own function over (east, south, damping, unused) and reads position and frame.
+fn read_vertices(gpu: &Gpu, uniforms: &GpuOceanWater, places: &[[f32; 4]]) -> Vec<VertexOutput> {
+    let (device, queue) = (&gpu.device, &gpu.queue);
+    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: None,
+        layout: None,
+        module: &shader_lib::OCEAN_WATER_VERTICES.module(device),
+        entry_point: Some("cs_raise"),
+        compilation_options: Default::default(),
+        cache: None,
+    });
+    use wgpu::BufferUsages as U;
+    let make = |bytes: &[u8], usage| crate::gpu::resources::buffer(device, queue, "test", bytes, usage);
+    let uniforms = make(bytemuck::bytes_of(uniforms), U::UNIFORM);
+    let input = make(bytemuck::cast_slice(places), U::STORAGE);
+    let output = make(&vec![0; places.len() * size_of::<VertexOutput>()], U::STORAGE | U::COPY_SRC);
+    let group = |index, resources: Vec<wgpu::BindingResource<'_>>| {
+        bind_group(device, "test", &pipeline.get_bind_group_layout(index), resources)
+    };
+    let ocean = group(2, vec![uniforms.as_entire_binding()]);
+    let io = group(3, vec![input.as_entire_binding(), output.as_entire_binding()]);
+    let mut encoder = device.create_command_encoder(&Default::default());
+    {
+        let mut pass = encoder.begin_compute_pass(&Default::default());
+        pass.set_pipeline(&pipeline);
+        pass.set_bind_group(2, &ocean, &[]);
+        pass.set_bind_group(3, &io, &[]);
+        pass.dispatch_workgroups((places.len() as u32).div_ceil(64), 1, 1);
+    }
+    queue.submit([encoder.finish()]);
+    bytemuck::pod_collect_to_vec(&read_buffer(device, queue, &output).unwrap())
+}
+
+/// What is drawn is the model, in the world's axes: near, 1,000 km away and after many days.
+#[test]
+fn drawn_vertices_are_the_model() {
+    with_technique(&scene(&[]), |gpu, technique| {
+        let eyes = [
+            (DVec3::new(0.0, 7.0, 0.0), 0.0),
+            (DVec3::new(5.3, 2.5, -71.9), 3.7),
+            (DVec3::new(1_000_000.4, 40.0, -999_999.7), 20.0),
+            (DVec3::new(-123_456.7, 3.0, 654_321.1), -1e6),
+            (DVec3::new(77.0, 900.0, 1e6), 999_999.9),
+        ];
+        for (eye, time_s) in eyes {
+            let view = view_of(eye, DVec3::X, [64, 36]);
+            let centre = technique.mesh.centre_m(DVec2::new(eye.x, eye.z));
+            let places: Vec<[f32; 4]> = technique.mesh.coarse.iter().map(|p| [p.x, p.y, 0.0, 0.0]).collect();
+            let seen = read_vertices(gpu, &technique.uniforms(&view, time_s), &places);
+            for (place, [position, binormal, tangent, normal]) in places.iter().zip(seen) {
+                let rest = centre + DVec2::new(f64::from(place[0]), f64::from(place[1]));
+                let height_m = technique.sines.sample(rest, time_s).displacement_m.y;
+                close3(position, DVec3::new(rest.x, height_m, rest.y) - eye, 2e-4);
+                let twin = technique.sines.at_uv(technique.sines.uv(rest), time_s, 0.0);
+                close3(normal, twin.normal, 1e-4);
+                close3(binormal, twin.binormal, 1e-4);
+                close3(tangent, twin.tangent, 1e-4);
+            }
+        }
+    });
+}
+
+/// At a damping of 1 the plane is left, wherever; half of it halves the height.
+#[test]
+fn damping_goes_from_all_of_the_waves_to_none() {
+    with_technique(&scene(&[]), |gpu, technique| {
+        let view = view_of(DVec3::new(10.0, 5.0, 3.0), DVec3::X, [64, 36]);
+        let places = [0.0, 0.5, 1.0].map(|damp| [12.5, -31.0, damp, 0.0]);
+        let seen = read_vertices(gpu, &technique.uniforms(&view, 2.0), &places);
+        let height = |i: usize| f64::from(seen[i][0][1]) + 5.0;
+        assert!(height(0).abs() > 0.1);
+        assert!((height(1) - 0.5 * height(0)).abs() < 1e-5 && height(2).abs() < 1e-6);
+        assert_eq!(seen[2][3], [0.0, 0.0, 1.0, 0.0]);
+    });
+}
+
+/// The bump maps lie still in the world when the viewer moves, and scroll with time.
+#[test]
+fn bump_maps_stay_in_their_places() {
+    let scene = scene(&[("bump_repeats = 1.0", "bump_repeats = 2.5")]);
+    with_technique(&scene, |_, technique| {
+        let whitecap_scene::Technique::OceanWater(settings) = &scene.technique else { panic!() };
+        for (eye, time_s) in [(DVec3::new(3.0, 4.0, 50.0), 0.0), (DVec3::new(1e6, 3.0, -2e6), 1e6 + 0.5)] {
+            let uniforms = technique.uniforms(&view_of(eye, DVec3::X, [64, 36]), time_s);
+            let centre = technique.mesh.centre_m(DVec2::new(eye.x, eye.z));
+            let uv = technique.sines.uv(centre) * 2.5;
+            let [u0, v0] = settings.first_scroll_per_s;
+            let [u1, v1] = settings.second_scroll_per_s;
+            let expected = [uv.x + u0 * time_s, uv.y + v0 * time_s, uv.x + u1 * time_s, uv.y + v1 * time_s];
+            for (seen, expected) in uniforms.centre_bump_uv.into_iter().zip(expected) {
+                let off = (f64::from(seen) - expected).rem_euclid(1.0);
+                assert!(off.min(1.0 - off) < 1e-5, "{seen} {expected}");
+            }
+        }
+    });
+}
+
+/// No water and no sky has this colour.
+const NOTHING: wgpu::Color = wgpu::Color { r: 1.0, g: 0.0, b: 1.0, a: 1.0 };
+
+/// The water alone, one sample a pixel.
+fn frame(gpu: &Gpu, water: &mut Water, view: View, time_s: f64) -> Vec<u8> {
+    let (device, queue) = (&gpu.device, &gpu.queue);
+    let target = TargetFormat::default();
+    use wgpu::TextureUsages as U;
+    let usage = U::RENDER_ATTACHMENT | U::COPY_SRC;
+    let color = texture_2d(device, "frame", view.size_px, 1, target.color, usage);
+    let depth = texture_2d(device, "depth", view.size_px, 1, target.depth, U::RENDER_ATTACHMENT);
+    let mut encoder = device.create_command_encoder(&Default::default());
+    water.prepare(device, queue, &mut encoder, &[view], time_s).unwrap();
+    {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: None,
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &color.create_view(&Default::default()),
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(NOTHING), store: wgpu::StoreOp::Store },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &depth.create_view(&Default::default()),
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(target.far_depth()),
+                    store: wgpu::StoreOp::Discard,
+                }),
+                stencil_ops: None,
+            }),
+            ..Default::default()
+        });
+        water.draw(&mut pass, 0);
+    }
+    queue.submit([encoder.finish()]);
+    read_texture(device, queue, &color).unwrap()
+}
+
+fn water(gpu: &Gpu, scene: &Scene, environment: &Environment) -> Water {
+    Water::with_environment(&gpu.device, &gpu.queue, scene, environment, TargetFormat::default()).unwrap()
+}
+
+/// For cameras of all heights above the waves: water wherever the ray goes below the horizon, none above it.
+#[test]
+fn water_is_where_it_should_be_for_every_camera() {
+    let Some(gpu) = gpu() else { return };
+    const SIZE: [u32; 2] = [64, 36];
+    let mut water = water(gpu, &scene(&[]), environment());
+    let random = |i: usize, k: f64| (0.5 + 0.5 * (12.9898 * i as f64 + k).sin() * 43.758).rem_euclid(1.0);
+    for camera in 0..40 {
+        let height = [2.0, 6.0, 30.0, 400.0, 9_000.0][camera % 5] * (1.0 + random(camera, 0.1));
+        let pitch: f64 = match camera % 4 {
+            0 => -90.0,
+            1 => -60.0 * random(camera, 0.2),
+            2 => 60.0 * random(camera, 0.3),
+            _ => -2.0,
+        };
+        let (azimuth, pitch) = (std::f64::consts::TAU * random(camera, 0.4), pitch.to_radians());
+        let toward = DVec3::new(azimuth.cos() * pitch.cos(), pitch.sin(), azimuth.sin() * pitch.cos());
+        let eye = DVec3::new(1e4 * random(camera, 0.5), height, -1e4 * random(camera, 0.6));
+        let view = view_of(eye, toward, SIZE);
+        let pixels = frame(gpu, &mut water, view, 40.0 * random(camera, 0.7));
+        let world_from_clip = view.clip_from_eye_world().inverse();
+        // Waves of up to 2 m stand before the horizon's last pixels.
+        let margin = 3.0 * f64::from(view.pixel_angle_rad()) + (2.0 / height).min(0.5);
+        for (i, pixel) in pixels.chunks(4).enumerate() {
+            let (x, y) = (i as u32 % SIZE[0], i as u32 / SIZE[0]);
+            let ndc_x = (x as f32 + 0.5) / SIZE[0] as f32 * 2.0 - 1.0;
+            let ndc_y = 1.0 - (y as f32 + 0.5) / SIZE[1] as f32 * 2.0;
+            let ray = world_from_clip.project_point3(Vec3::new(ndc_x, ndc_y, 0.5)).normalize();
+            let elevation = f64::from(ray.y.clamp(-1.0, 1.0)).asin();
+            let nothing = pixel[..3] == [255, 0, 255];
+            if elevation < -margin {
+                assert!(!nothing, "camera {camera} at {eye}: no water at ({x}, {y}), {elevation} rad");
+            }
+            if elevation > margin {
+                assert!(nothing, "camera {camera} at {eye}: water in the sky at ({x}, {y}), {elevation} rad");
+            }
+        }
+    }
+}
+
+/// Still, smooth water straight below under an even sky, by hand through all of the chain: the 8-bit sky, the
+/// gradient's end, the level texel of the bump map.
+#[test]
+fn level_water_is_the_sum_that_the_text_gives() {
+    let Some(gpu) = gpu() else { return };
+    let sky = Vec3::new(0.4, 0.6, 5.0);
+    let even = Environment {
+        cube: crate::environment::CubeMap::bake(|_| sky, None, 1),
+        sun: None,
+        irradiance: Vec3::ONE,
+        daylight: 1.0,
+    };
+    for highlights in ["green-power", "glow-map"] {
+        let mut scene = scene(&[
+            ("bump_steepness = 0.6", "bump_steepness = 0.0"),
+            ("\"green-power\"", &format!("{highlights:?}")),
+        ]);
+        let whitecap_scene::Technique::OceanWater(settings) = &mut scene.technique else { panic!() };
+        settings.deep_color = [0.0, 0.4, 0.2];
+        let settings = settings.clone();
+        let eye = DVec3::new(0.0, 2_000.0, 0.0);
+        let pixels = frame(gpu, &mut water(gpu, &scene, &even), view_of(eye, DVec3::NEG_Y, [33, 33]), 0.0);
+        let seen = &pixels[4 * (16 * 33 + 16)..][..3];
+
+        // No encoding of 0 lies in 8 bits: level water is 128 of 255.
+        let level = [128.0 / 255.0, 128.0 / 255.0, 1.0];
+        let frame = BumpFrame { binormal: DVec3::X, tangent: DVec3::Y, normal: DVec3::Z };
+        let in_8_bits = |linear: f32| {
+            f64::from((crate::environment::display_from_linear(linear).min(1.0) * 255.0).round()) / 255.0
+        };
+        let environment = |_| sky.to_array().map(in_8_bits);
+        let twin = ocean_water_pixel(level, level, DVec3::Z, &frame, environment, |_| settings.deep_color);
+        let sparkle = match highlights {
+            "green-power" => twin.sparkle,
+            _ => f64::from(crate::environment::glow(sky)),
+        };
+        let expected = (twin.water + sparkle * DVec3::from(settings.highlight_color)).min(DVec3::ONE);
+        for (seen, expected) in seen.iter().zip(expected.to_array()) {
+            let expected = 255.0 * expected;
+            assert!((f64::from(*seen) - expected).abs() < 2.0, "{highlights}: {seen} instead of {expected}");
+        }
+    }
+}
+
+/// Every setting of the scene does something to the picture.
+#[test]
+fn no_setting_is_without_effect() {
+    let Some(gpu) = gpu() else { return };
+    let island = "[[object]]\nmesh = \"island\"\nposition_m = [-100.0, 0.0, 30.0]\n\n[sky]";
+    let view = view_of(DVec3::new(0.0, 5.0, 0.0), DVec3::new(-1.0, -0.2, 0.3), [96, 54]);
+    let render = |edits: &[(&str, &str)]| {
+        let edits = [&[("[sky]", island)], edits].concat();
+        frame(gpu, &mut water(gpu, &scene(&edits), environment()), view, 1.3)
+    };
+    let before = render(&[]);
+    let add = "[ocean-water]";
+    let changes = [
+        ("seed = 11", "seed = 12"),
+        ("unit_m = 0.01", "unit_m = 0.012"),
+        ("slope_factor = 0.003", "slope_factor = 0.006"),
+        ("slope_factor = 0.003", "slope_factor = 0.003\nuv_size_m = 30.0"),
+        ("slope_factor = 0.003", "slope_factor = 0.003\ntaylor = \"mended\""),
+        ("bump_steepness = 0.6", "bump_steepness = 0.3"),
+        ("bump_repeats = 1.0", "bump_repeats = 2.0"),
+        ("edge_color = [0.06,", "edge_color = [0.3,"),
+        ("middle_color = [0.05,", "middle_color = [0.3,"),
+        ("deep_color = [0.02,", "deep_color = [0.3,"),
+        ("\"green-power\"", "\"glow-map\""),
+        ("highlight_color = [0.8,", "highlight_color = [0.2,"),
+        (add, "[ocean-water]\ngrid_cells = 16"),
+        (add, "[ocean-water]\ncell_m = 5.0"),
+        (add, "[ocean-water]\ncell_growth = 1.0"),
+        (add, "[ocean-water]\nrefinement = 1"),
+        (add, "[ocean-water]\nshore_depth_m = 0.5"),
+        (add, "[ocean-water]\ntangent = \"mended\""),
+        (add, "[ocean-water]\nbump_resolution = 128"),
+        (add, "[ocean-water]\nbump_ripples = 8.0"),
+        (add, "[ocean-water]\nfirst_scroll_per_s = [0.1, 0.04]"),
+        (add, "[ocean-water]\nsecond_scroll_per_s = [-0.03, 0.1]"),
+    ];
+    for change in changes {
+        assert_ne!(render(&[change]), before, "{} changes nothing", change.1);
+    }
+}
