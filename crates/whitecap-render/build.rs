@@ -8,6 +8,11 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::technique::meshuggah::meshuggah", "meshuggah", &[]),
     ("package::technique::meshuggah::meshuggah", "meshuggah_per_sample", &["per_sample"]),
     ("package::technique::meshuggah::vertices", "meshuggah_vertices", &[]),
+    ("package::technique::projected_grid::projected_grid", "projected_grid", &[]),
+    ("package::technique::projected_grid::height_map", "projected_grid_heights", &[]),
+    ("package::technique::projected_grid::normal_map", "projected_grid_normals", &[]),
+    ("package::technique::projected_grid::mip", "projected_grid_mip", &[]),
+    ("package::technique::projected_grid::twins", "projected_grid_twins", &[]),
     ("package::shader_lib::twins", "twins", &[]),
 ];
 

@@ -35,6 +35,16 @@ shaders! {
     MESHUGGAH_PER_SAMPLE = "meshuggah_per_sample";
     /// The Meshuggah ocean's vertex stage as a compute shader, for reading its results back.
     MESHUGGAH_VERTICES = "meshuggah_vertices";
+    /// Johanson's projected grid.
+    PROJECTED_GRID = "projected_grid";
+    /// Its height map.
+    PROJECTED_GRID_HEIGHTS = "projected_grid_heights";
+    /// Its normal map.
+    PROJECTED_GRID_NORMALS = "projected_grid_normals";
+    /// Its normal map's mips.
+    PROJECTED_GRID_MIP = "projected_grid_mip";
+    /// Its functions on a buffer of inputs.
+    PROJECTED_GRID_TWINS = "projected_grid_twins";
     /// Every shared function on a buffer of inputs.
     TWINS = "twins";
 }
