@@ -16,10 +16,10 @@ const BEFORE: f64 = 1.25;
 /// A projector over the eye, `height_m` over the level.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Projector {
-    height_m: f64,
-    right: DVec3,
-    up: DVec3,
-    forward: DVec3,
+    pub(super) height_m: f64,
+    pub(super) right: DVec3,
+    pub(super) up: DVec3,
+    pub(super) forward: DVec3,
 }
 
 impl Projector {
@@ -74,7 +74,7 @@ impl Projector {
 
 /// The projector's height over the level: the camera's, but kept over the slab, and mirrored into the air from
 /// under water. Heights are counted from S_lower, as in the text.
-fn height_m(request: &GridRequest) -> f64 {
+pub(super) fn height_m(request: &GridRequest) -> f64 {
     let over_lower_m = request.eye_height_m + request.slab_m;
     let lowest_m = request.slab_m + request.elevation_m;
     let push_m = if over_lower_m >= lowest_m {

@@ -1,3 +1,5 @@
+use super::hull::{Frustum, visible_hull};
+use super::projector::{self, Projector};
 use super::*;
 use glam::{DQuat, Quat, camera::rh};
 
