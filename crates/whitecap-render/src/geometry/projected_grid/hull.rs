@@ -22,13 +22,16 @@ const INFINITE: f64 = 1e-9;
 impl Frustum {
     /// The view's frustum; `None` if the matrix is none of a view.
     ///
-    /// A depth that reaches to infinity has no far corners, so the frustum is built from the four rays through
-    /// its near corners and cut off at `far_m`.
+    /// A depth that reaches to infinity has no far corners, and one that reaches far has hardly any in f32. So the
+    /// frustum is built from the rays through its near corners and cut off at `far_m`, whatever the view's own far
+    /// plane is: water that is covered and not seen costs nothing.
     pub(super) fn new(request: &GridRequest) -> Option<Frustum> {
-        let eye_world_from_clip = request.clip_from_eye_world.as_dmat4().inverse();
+        let clip_from_eye_world = request.clip_from_eye_world.as_dmat4();
+        let eye_world_from_clip = clip_from_eye_world.inverse();
         let at = |corner: DVec2, depth: f64| eye_world_from_clip * corner.extend(depth).extend(1.0);
         let finite = |p: DVec4| (p.w.abs() > INFINITE * p.xyz().length()).then(|| p.xyz() / p.w);
-        let ends: [[Option<DVec3>; 2]; 4] = CORNERS.map(|corner| [finite(at(corner, 0.0)), finite(at(corner, 1.0))]);
+        let ends: [[Option<DVec3>; 2]; 4] =
+            CORNERS.map(|corner| [finite(at(corner, 0.0)), finite(at(corner, 1.0))]);
 
         // Depth grows or falls with distance: the near plane is the one nearer to the eye.
         let distance = |end: usize| ends[0][end].map_or(f64::INFINITY, |p: DVec3| p.length());
@@ -39,21 +42,18 @@ impl Frustum {
         }
         let normal = (near[1] - near[0]).cross(near[2] - near[0]).normalize_or_zero();
         let near_depth = normal.dot(near[0]).abs();
+        // All rays come from the eye, but for a view without perspective.
+        let perspective = clip_from_eye_world.row(3).xyz() != DVec3::ZERO;
         let mut far = near;
-        for (i, corner) in far.iter_mut().enumerate() {
-            // A step along the ray that goes a metre deeper.
-            let (step, depth) = match ends[i][1 - near_end] {
-                Some(end) => {
-                    let depth = (normal.dot(end - near[i])).abs();
-                    ((end - near[i]) / depth, depth)
-                }
-                None => (near[i] / near_depth, f64::INFINITY),
-            };
-            *corner += step * (request.far_m - near_depth).max(near_depth).min(depth);
+        for (corner, ends) in far.iter_mut().zip(&ends) {
+            let along = if perspective { *corner } else { ends[1 - near_end]? - *corner };
+            *corner += along / normal.dot(along).abs() * (request.far_m - near_depth).max(near_depth);
         }
         let over_level = DVec3::Y * request.eye_height_m;
-        let frustum =
-            Frustum { near: near.map(|corner| corner + over_level), far: far.map(|corner| corner + over_level) };
+        let frustum = Frustum {
+            near: near.map(|corner| corner + over_level),
+            far: far.map(|corner| corner + over_level),
+        };
         frustum.near.iter().chain(&frustum.far).all(|corner| corner.is_finite()).then_some(frustum)
     }
 

@@ -43,7 +43,7 @@ pub struct GridRequest {
     pub eye_height_m: f64,
     /// Half the thickness of the slab that the surface keeps to, metres, at least 0.
     pub slab_m: f64,
-    /// How far ahead water is drawn, metres. A nearer far plane of the view stays.
+    /// How far ahead water is drawn, metres, whatever the view's own far plane is.
     pub far_m: f64,
     /// The projector keeps so far over the slab, metres, above 0.
     pub elevation_m: f64,
