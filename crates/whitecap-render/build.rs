@@ -15,6 +15,11 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::technique::ocean_water::sky_map", "ocean_water_sky", &[]),
     ("package::technique::ocean_water::vertices", "ocean_water_vertices", &[]),
     ("package::technique::ocean_water::twins", "ocean_water_twins", &[]),
+    ("package::technique::projected_grid::projected_grid", "projected_grid", &[]),
+    ("package::technique::projected_grid::height_map", "projected_grid_heights", &[]),
+    ("package::technique::projected_grid::normal_map", "projected_grid_normals", &[]),
+    ("package::technique::projected_grid::mip", "projected_grid_mip", &[]),
+    ("package::technique::projected_grid::twins", "projected_grid_twins", &[]),
     ("package::shader_lib::twins", "twins", &[]),
     ("package::shader_lib::sines_twins", "sines_twins", &[]),
 ];

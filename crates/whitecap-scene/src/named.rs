@@ -39,6 +39,21 @@ pub const ALL: &[NamedScene] = &[
         title: "Wenzel's ocean of 2002: a low sun, a fresh breeze",
         toml: include_str!("../scenes/meshuggah.toml"),
     },
+    NamedScene {
+        name: "projected-grid",
+        title: "Johanson's projected grid of 2004: an island and ducks on animated noise",
+        toml: include_str!("../scenes/projected-grid.toml"),
+    },
+    NamedScene {
+        name: "projected-grid-coherent",
+        title: "the same sea with normals of its own surface",
+        toml: include_str!("../scenes/projected-grid-coherent.toml"),
+    },
+    NamedScene {
+        name: "projected-grid-simple",
+        title: "Johanson's simpler variant: normals at the vertices, no local reflections",
+        toml: include_str!("../scenes/projected-grid-simple.toml"),
+    },
 ];
 
 /// The named scene of this name.

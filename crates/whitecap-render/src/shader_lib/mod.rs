@@ -49,6 +49,16 @@ shaders! {
     OCEAN_WATER_VERTICES = "ocean_water_vertices";
     /// The functions of ATI's ocean on a buffer of inputs.
     OCEAN_WATER_TWINS = "ocean_water_twins";
+    /// Johanson's projected grid.
+    PROJECTED_GRID = "projected_grid";
+    /// Its height map.
+    PROJECTED_GRID_HEIGHTS = "projected_grid_heights";
+    /// Its normal map.
+    PROJECTED_GRID_NORMALS = "projected_grid_normals";
+    /// Its normal map's mips.
+    PROJECTED_GRID_MIP = "projected_grid_mip";
+    /// Its functions on a buffer of inputs.
+    PROJECTED_GRID_TWINS = "projected_grid_twins";
     /// Every shared function on a buffer of inputs.
     TWINS = "twins";
     /// The sum of sines on a buffer of inputs.

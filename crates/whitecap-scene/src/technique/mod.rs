@@ -9,7 +9,7 @@ mod rippling_lake;
 pub use five_sample::FiveSample;
 pub use meshuggah::{FresnelForm, Meshuggah, WaterColor};
 pub use ocean_water::{Highlights, OceanWater, Tangent};
-pub use projected_grid::ProjectedGrid;
+pub use projected_grid::{Normals, OffsetAxes, Pairing, ProjectedGrid, RefractedColor};
 pub use rippling_lake::{RipplingLake, SwapUv};
 
 use crate::error::SceneError;
