@@ -3,6 +3,7 @@
 //! Each function is the f64 twin of a shader function of the same name, so that a test can hold one against
 //! the other.
 
+pub mod classics;
 mod color;
 mod exposure;
 mod fresnel;

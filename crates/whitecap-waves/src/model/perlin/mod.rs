@@ -1,5 +1,5 @@
 //! Animated noise in octaves, as Johanson moves his sea (*Real-time water rendering: introducing the projected
-//! grid concept*, Lund 2004, "Water surface height field").
+//! grid concept*, Lund 2004).
 //!
 //! | symbol | meaning | unit |
 //! | --- | --- | --- |
