@@ -26,7 +26,7 @@
 //! [`technique::ALL`], [`sea::MODELS`], [`sea::system::SPECTRA`] and [`sky::ALL`]; [`named::ALL`] holds the
 //! scenes that come with the library.
 //!
-//! [`panorama::Panorama`] reads the pictures that a sky can be made of.
+//! [`panorama::Panorama`] reads the pictures that a sky can be made of; [`mesh`] makes and reads solid things.
 
 mod camera;
 mod error;

@@ -112,7 +112,8 @@ fn wrong_types() {
     );
     assert_eq!(
         message("technique", "technique = 3"),
-        "storm.toml:1: technique = 3: found an integer, wanted a string; accepted: \"meshuggah\""
+        "storm.toml:1: technique = 3: found an integer, wanted a string; \
+         accepted: \"ocean-water\", \"rippling-lake\", \"projected-grid\", \"meshuggah\", \"five-sample\""
     );
     assert_eq!(
         message("tile_repeats", "deep_color = [1, 0.1]"),
@@ -140,7 +141,8 @@ fn unknown_keys() {
     assert_eq!(
         message("[meshuggah]", "[meshuga]"),
         "storm.toml:14: meshuga: unknown key; did you mean \"meshuggah\"? \
-         accepted here: camera, meshuggah, sea, seed, sky, technique"
+         accepted here: camera, five-sample, meshuggah, object, ocean-water, projected-grid, \
+         rippling-lake, sea, seed, sky, technique"
     );
     assert_eq!(
         message("position_m", "\"two\\nlines\" = 1"),
@@ -163,7 +165,7 @@ fn unknown_words() {
     assert_eq!(
         message("technique", "technique = \"meshugah\""),
         "storm.toml:1: technique = \"meshugah\": no such technique; did you mean \"meshuggah\"? \
-         accepted: \"meshuggah\""
+         accepted: \"ocean-water\", \"rippling-lake\", \"projected-grid\", \"meshuggah\", \"five-sample\""
     );
     assert_eq!(
         message("spectrum", "spectrum = \"brown\""),
@@ -173,6 +175,46 @@ fn unknown_words() {
         message("fresnel", "fresnel = \"PerPixel\""),
         "storm.toml:16: meshuggah.fresnel = \"PerPixel\": no such choice; did you mean \"per-pixel\"? \
          accepted: \"per-vertex-split\", \"per-pixel\""
+    );
+}
+
+/// Each technique draws seas of its own.
+#[test]
+fn a_sea_of_another_technique() {
+    assert_eq!(
+        message("tile_size_m", "model = \"perlin\""),
+        "storm.toml:6: sea.resolution: only with model = \"spectral\", but here model = \"perlin\"; \
+         accepted here: falloff, frames_per_s, model, octave_size, octave_speedup, scale_per_m, strength_m"
+    );
+    let text = "technique = \"ocean-water\"\n[sea]\nmodel = \"perlin\"\n";
+    assert_eq!(
+        message_for(text),
+        "storm.toml:3: sea.model = \"perlin\": not a sea that technique = \"ocean-water\" draws; \
+         accepted: \"sines\""
+    );
+    let text = "technique = \"ocean-water\"\n[[sea.wave]]\nheight = 3\n";
+    assert_eq!(message_for(text), "storm.toml:2: sea.wave: found 1; accepted: 4 tables [[sea.wave]]");
+}
+
+#[test]
+fn objects() {
+    let after = |object: &str| message_for(&format!("{SCENE}[[object]]\n{object}"));
+    assert_eq!(
+        after("mesh = \"duk\""),
+        "storm.toml:26: object[0].mesh = \"duk\": no such choice; did you mean \"duck\"? \
+         accepted: \"island\", \"duck\", \"lake-bed\", \"posts\", \"trees\""
+    );
+    assert_eq!(
+        after("scale = 2"),
+        "storm.toml:25: object[0]: has neither mesh nor file; accepted: one of the two"
+    );
+    assert_eq!(
+        after("mesh = \"duck\"\nfile = \"a.glb\""),
+        "storm.toml:27: object[0].file = \"a.glb\": beside mesh; accepted: one of the two, mesh or file"
+    );
+    assert_eq!(
+        after("mesh = \"duck\"\nfloats = 1"),
+        "storm.toml:27: object[0].floats = 1: found an integer, wanted a boolean; accepted: true, false"
     );
 }
 

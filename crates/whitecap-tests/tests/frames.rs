@@ -5,7 +5,7 @@ use glam::{DVec3, Vec3};
 use whitecap_render::gpu::read_texture;
 use whitecap_render::picture::{PictureRequest, render_picture};
 use whitecap_render::{Gpu, MAX_VIEWS, RenderError, TargetFormat, View, Water};
-use whitecap_scene::{Camera, Scene};
+use whitecap_scene::{Camera, Scene, technique};
 use whitecap_tests::adapter::gpu;
 
 const SIZE: [u32; 2] = [64, 36];
@@ -15,6 +15,11 @@ const NOTHING: wgpu::Color = wgpu::Color { r: 1.0, g: 0.0, b: 1.0, a: 1.0 };
 
 fn scene() -> Scene {
     whitecap_scene::open("meshuggah").unwrap()
+}
+
+/// The scene that each technique is shown by.
+fn scene_of_each_technique() -> impl Iterator<Item = Scene> {
+    technique::ALL.iter().map(|technique| whitecap_scene::open(technique.word).unwrap())
 }
 
 fn look(eye: DVec3, toward: DVec3) -> View {
@@ -103,12 +108,17 @@ fn largest_difference(a: &[u8], b: &[u8]) -> u8 {
 fn a_frame_depends_on_its_time_and_view_alone() {
     let Some(gpu) = gpu() else { return };
     let target = TargetFormat::default();
-    let mut water = Water::new(&gpu.device, &gpu.queue, &scene(), target).unwrap();
-    let view = look(DVec3::new(3.0, 4.0, -7.0), DVec3::new(1.0, -0.1, 0.3));
-    let first = frame(gpu, &mut water, &target, view, 2.5, true);
-    let other = frame(gpu, &mut water, &target, look(DVec3::new(90.0, 9.0, 0.0), DVec3::X), 77.0, true);
-    assert!(largest_difference(&first, &other) > 8);
-    assert_eq!(frame(gpu, &mut water, &target, view, 2.5, true), first);
+    for scene in scene_of_each_technique() {
+        let word = scene.technique.word();
+        let mut water = Water::new(&gpu.device, &gpu.queue, &scene, target).unwrap();
+        let view = View::of_camera(&scene.camera, SIZE);
+        let first = frame(gpu, &mut water, &target, view, 2.5, true);
+        let later = frame(gpu, &mut water, &target, view, 77.0, true);
+        assert!(largest_difference(&first, &later) > 8, "{word} stands still");
+        let other = look(view.eye_m + DVec3::new(9.0, 2.0, 1.0), DVec3::new(1.0, -0.2, 0.1));
+        assert_ne!(frame(gpu, &mut water, &target, other, 77.0, true), later, "{word}");
+        assert_eq!(frame(gpu, &mut water, &target, view, 2.5, true), first, "{word} remembers");
+    }
 }
 
 #[test]
@@ -116,26 +126,28 @@ fn several_views_in_one_frame_equal_each_alone() {
     let Some(gpu) = gpu() else { return };
     let (device, queue) = (&gpu.device, &gpu.queue);
     let target = TargetFormat::default();
-    let mut water = Water::new(device, queue, &scene(), target).unwrap();
-    let views = [
-        look(DVec3::new(0.0, 4.0, 0.0), DVec3::new(1.0, -0.1, 0.0)),
-        look(DVec3::new(500.0, 30.0, 80.0), DVec3::new(-0.2, -0.5, 1.0)),
-    ];
-    let alone = views.map(|view| frame(gpu, &mut water, &target, view, 1.0, true));
-    let canvases = views.map(|_| Canvas::new(gpu, &target));
-    let mut encoder = device.create_command_encoder(&Default::default());
-    water.prepare(device, queue, &mut encoder, &views, 1.0).unwrap();
-    for (i, canvas) in canvases.iter().enumerate() {
-        canvas.draw(&mut encoder, target.far_depth(), |pass| {
-            water.draw(pass, i);
-            water.draw_sky(pass, i);
-        });
-    }
-    queue.submit([encoder.finish()]);
-    for (canvas, alone) in canvases.iter().zip(&alone) {
-        assert_eq!(&canvas.pixels(), alone);
+    for scene in scene_of_each_technique() {
+        let mut water = Water::new(device, queue, &scene, target).unwrap();
+        let first = View::of_camera(&scene.camera, SIZE);
+        let views = [first, look(first.eye_m + DVec3::new(30.0, 12.0, 8.0), DVec3::new(-0.2, -0.5, 1.0))];
+        let alone = views.map(|view| frame(gpu, &mut water, &target, view, 1.0, true));
+        let canvases = views.map(|_| Canvas::new(gpu, &target));
+        let mut encoder = device.create_command_encoder(&Default::default());
+        water.prepare(device, queue, &mut encoder, &views, 1.0).unwrap();
+        for (i, canvas) in canvases.iter().enumerate() {
+            canvas.draw(&mut encoder, target.far_depth(), |pass| {
+                water.draw(pass, i);
+                water.draw_sky(pass, i);
+            });
+        }
+        queue.submit([encoder.finish()]);
+        for (canvas, alone) in canvases.iter().zip(&alone) {
+            assert_eq!(&canvas.pixels(), alone, "{}", scene.technique.word());
+        }
     }
 
+    let mut water = Water::new(device, queue, &scene(), target).unwrap();
+    let views = [look(DVec3::new(0.0, 4.0, 0.0), DVec3::new(1.0, -0.1, 0.0))];
     let too_many = vec![views[0]; MAX_VIEWS + 1];
     let mut encoder = device.create_command_encoder(&Default::default());
     let refused = water.prepare(device, queue, &mut encoder, &too_many, 0.0);
@@ -231,16 +243,44 @@ fn the_far_sea_is_calm() {
 #[test]
 fn targets_that_store_linear_light_look_the_same() {
     let Some(gpu) = gpu() else { return };
-    let view = look(DVec3::new(0.0, 5.0, 0.0), DVec3::new(0.3, -0.2, 1.0));
-    let shot = |target: TargetFormat| {
-        let mut water = Water::new(&gpu.device, &gpu.queue, &scene(), target).unwrap();
-        frame(gpu, &mut water, &target, view, 1.0, true)
-    };
-    let raw = shot(TargetFormat::default());
-    let srgb = shot(TargetFormat { color: wgpu::TextureFormat::Rgba8UnormSrgb, ..TargetFormat::default() });
-    assert!(largest_difference(&raw, &srgb) <= 2);
+    for scene in scene_of_each_technique() {
+        let view = View::of_camera(&scene.camera, SIZE);
+        let shot = |target: TargetFormat| {
+            let mut water = Water::new(&gpu.device, &gpu.queue, &scene, target).unwrap();
+            frame(gpu, &mut water, &target, view, 1.0, true)
+        };
+        let raw = shot(TargetFormat::default());
+        let srgb = TargetFormat { color: wgpu::TextureFormat::Rgba8UnormSrgb, ..TargetFormat::default() };
+        let difference = largest_difference(&raw, &shot(srgb));
+        assert!(difference <= 2, "{}: {difference} levels", scene.technique.word());
+    }
     let usual_depth = TargetFormat { depth_compare: wgpu::CompareFunction::Less, ..TargetFormat::default() };
     assert!(usual_depth.far_depth() == 1.0 && TargetFormat::default().far_depth() == 0.0);
+}
+
+/// A host with the usual depth, near 0 and far 1, gets the same picture.
+#[test]
+fn the_sense_of_depth_does_not_matter() {
+    let Some(gpu) = gpu() else { return };
+    for scene in scene_of_each_technique() {
+        let reversed = View::of_camera(&scene.camera, SIZE);
+        let aspect = SIZE[0] as f32 / SIZE[1] as f32;
+        let fov = scene.camera.vertical_fov_deg.to_radians() as f32;
+        let usual = View {
+            clip_from_view: glam::camera::rh::proj::directx::perspective(fov, aspect, 0.1, 1e5),
+            ..reversed
+        };
+        let shot = |target: TargetFormat, view: View| {
+            let mut water = Water::new(&gpu.device, &gpu.queue, &scene, target).unwrap();
+            frame(gpu, &mut water, &target, view, 1.0, true)
+        };
+        let target = TargetFormat { depth_compare: wgpu::CompareFunction::Less, ..TargetFormat::default() };
+        let (a, b) = (shot(TargetFormat::default(), reversed), shot(target, usual));
+        // Along silhouettes and the horizon a pixel may fall to either side.
+        let unequal = a.chunks(4).zip(b.chunks(4)).filter(|(a, b)| largest_difference(a, b) > 12).count();
+        let word = scene.technique.word();
+        assert!(unequal * 50 < a.len() / 4, "{word}: {unequal} pixels of {} differ", a.len() / 4);
+    }
 }
 
 /// The sun's path on the water lies under the sun, and moves with it.

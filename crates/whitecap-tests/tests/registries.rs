@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)] // a test that cannot go on should stop
 
 use glam::{DVec2, DVec3};
+use whitecap_scene::sea::SeaSurface;
 use whitecap_scene::{named, sea, sky, technique};
 use whitecap_waves::model::TileFields;
 use whitecap_waves::statistics::{significant_height_m, variance};
@@ -33,7 +34,7 @@ fn every_registered_word_is_shown_by_a_named_scene() {
 fn every_named_scenes_sea_keeps_the_models_promises() {
     for named in named::ALL {
         let scene = whitecap_scene::open(named.name).unwrap();
-        let mut model = scene.sea.build(scene.seed).unwrap();
+        let SeaSurface::Tile(mut model) = scene.sea.build(scene.seed).unwrap() else { continue };
         let (n, size_m) = (model.resolution(), model.tile_size_m());
         let height_m = significant_height_m(model.variance_m2());
         let near = 1e-4 * height_m;
@@ -58,6 +59,40 @@ fn every_named_scenes_sea_keeps_the_models_promises() {
     }
 }
 
+/// What every surface promises, tile or not: it depends on its place and the time alone, its slopes are those of
+/// its heights, and it trembles neither far from the origin nor long after the start.
+#[test]
+fn every_named_scenes_surface_keeps_its_promises() {
+    for named in named::ALL {
+        let scene = whitecap_scene::open(named.name).unwrap();
+        let surface = scene.sea.build(scene.seed).unwrap();
+        let hs_m = significant_height_m(surface.variance_m2());
+        for time_s in [0.0, 3.7, -4_321.5, 1e6] {
+            for far_m in [0.0, 1e6] {
+                for i in 0..40 {
+                    let rest = DVec2::new(far_m + 7.31 * f64::from(i), -far_m - 3.77 * f64::from(i));
+                    let point = surface.sample(rest, time_s);
+                    assert_eq!(point, surface.sample(rest, time_s), "{}", named.name);
+                    assert!((point.normal.length() - 1.0).abs() < 1e-9 && point.normal.y > -1.0);
+                    // No surface jumps: a millimetre further on it is nearly where it was.
+                    let step = surface.sample(rest + DVec2::splat(7e-4), time_s).displacement_m;
+                    let moved = (step - point.displacement_m).length();
+                    assert!(moved < 5e-3 + 0.03 * hs_m, "{}: jumps by {moved} m", named.name);
+                }
+            }
+        }
+        // The measured variance is the promised one, as far as a few thousand places can tell.
+        let heights: Vec<f32> = (0..4_000)
+            .map(|i| {
+                let rest = DVec2::new(61.803 * f64::from(i % 63), 38.197 * f64::from(i / 63));
+                surface.sample(rest, f64::from(i)).displacement_m.y as f32
+            })
+            .collect();
+        let measured = significant_height_m(variance(&heights));
+        assert!((measured - hs_m).abs() <= 0.15 * hs_m, "{}: {measured} m instead of {hs_m} m", named.name);
+    }
+}
+
 /// Ask for a height, measure it: for other heights than the scene's own, seeds and moments.
 #[test]
 fn the_significant_height_asked_for_is_the_one_there_is() {
@@ -68,7 +103,7 @@ fn the_significant_height_asked_for_is_the_one_there_is() {
             settings.system.truncate(1);
             let sea::system::System::Phillips(system) = &mut settings.system[0] else { continue };
             system.significant_height_m = Some(asked_m);
-            let mut model = scene.sea.build(seed).unwrap();
+            let SeaSurface::Tile(mut model) = scene.sea.build(seed).unwrap() else { continue };
             let mut fields = TileFields::new(model.resolution());
             model.evaluate(time_s, &mut fields);
             let measured_m = significant_height_m(variance(&fields.height));

@@ -109,6 +109,7 @@ impl fmt::Display for Accepts {
                 write!(f, "[x, y, z], x {x} to {to_x}, y {y} to {to_y}, z {z} to {to_z}{unit}")
             }
             Self::File => f.write_str("the path of a file, relative to the scene file"),
+            Self::Tables { name, min, max } if min == max => write!(f, "{min} tables [[{name}]]"),
             Self::Tables { name, min, max } => write!(f, "{min} to {max} tables [[{name}]]"),
         }
     }

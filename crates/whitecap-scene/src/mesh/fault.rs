@@ -74,8 +74,7 @@ pub(super) fn find(mesh: &Mesh) -> Result<(), MeshFault> {
             return Err(MeshFault::Position(vertex));
         }
         let length = Vec3::from(mesh.normals[vertex]).length();
-        // Written so that NaN is a fault.
-        if !((length - 1.0).abs() <= NORMAL_TOLERANCE) {
+        if length.is_nan() || (length - 1.0).abs() > NORMAL_TOLERANCE {
             return Err(MeshFault::Normal { vertex, length });
         }
         if !mesh.colors[vertex].iter().all(|value| (0.0..=1.0).contains(value)) {
@@ -83,4 +82,36 @@ pub(super) fn find(mesh: &Mesh) -> Result<(), MeshFault> {
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_broken_promise_is_found() {
+        let sound = Mesh {
+            positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, -1.0]],
+            normals: vec![[0.0, 1.0, 0.0]; 3],
+            colors: vec![[0.0, 0.5, 1.0]; 3],
+            indices: vec![0, 1, 2],
+        };
+        assert_eq!(sound.validate(), Ok(()));
+        let broken = |change: fn(&mut Mesh)| {
+            let mut mesh = sound.clone();
+            change(&mut mesh);
+            mesh.validate().unwrap_err()
+        };
+        assert_eq!(
+            broken(|mesh| mesh.colors.truncate(1)),
+            MeshFault::Uneven { positions: 3, normals: 3, colors: 1 }
+        );
+        assert_eq!(broken(|mesh| mesh.indices.push(0)), MeshFault::NoTriangles(4));
+        assert_eq!(broken(|mesh| mesh.indices[2] = 3), MeshFault::Index { index: 3, vertices: 3 });
+        assert_eq!(broken(|mesh| mesh.positions[1][2] = f32::INFINITY), MeshFault::Position(1));
+        assert_eq!(broken(|mesh| mesh.normals[2][1] = 0.9), MeshFault::Normal { vertex: 2, length: 0.9 });
+        assert!(matches!(broken(|mesh| mesh.normals[0][0] = f32::NAN), MeshFault::Normal { vertex: 0, .. }));
+        assert_eq!(broken(|mesh| mesh.colors[1][0] = 1.5), MeshFault::Color(1));
+        assert_eq!(broken(|mesh| mesh.colors[0][0] = f32::NAN), MeshFault::Color(0));
+    }
 }

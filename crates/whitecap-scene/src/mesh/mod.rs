@@ -15,13 +15,16 @@
 //! ```
 
 mod built_in;
+mod error;
 mod fault;
+mod gltf;
 mod ground;
 mod placement;
 
 use glam::{DVec3, Vec3};
 
 pub use built_in::{BUILT_IN, BuiltIn, Island, LakeBed, built_in};
+pub use error::{MeshError, MeshProblem};
 pub use fault::MeshFault;
 pub use ground::Ground;
 pub use placement::Placement;
@@ -93,15 +96,5 @@ impl Mesh {
         self.normals.push(normal.normalize_or(DVec3::Y).as_vec3().into());
         self.colors.push(color.clamp(Vec3::ZERO, Vec3::ONE).into());
         index
-    }
-}
-/// stub
-#[derive(Debug, thiserror::Error)]
-#[error("stub")]
-pub struct MeshError;
-impl Mesh {
-    /// stub
-    pub fn load(_p: &std::path::Path) -> Result<Mesh, MeshError> {
-        Err(MeshError)
     }
 }

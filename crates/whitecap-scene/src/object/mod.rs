@@ -21,7 +21,7 @@ table! {
         file: Option<PathBuf> = optional(File, "see `mesh`");
         /// Where the mesh's origin stands: x east, y up, z south.
         position_m: [f64; 3] = or(Point { far: 1e7, min_y: -1000.0, max_y: 1e5 }, [0.0, 0.0, 0.0]);
-        /// The bearing that its front faces, clockwise from north.
+        /// The bearing that its front faces, clockwise from north. The front of a file is its +z, as glTF has it.
         heading_deg: f64 = or(Real { unit: "deg", min: -360.0, max: 360.0 }, 0.0);
         /// How many times its own size it is.
         scale: f64 = or(Real { unit: "", min: 1e-3, max: 1e3 }, 1.0);

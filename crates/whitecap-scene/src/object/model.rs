@@ -42,7 +42,7 @@ impl Object {
     /// What travels faces along its circle; what floats takes the surface's height and leans with its normal.
     pub fn world_from_mesh(&self, surface: &dyn Surface, time_s: f64) -> DAffine3 {
         let mut position_m = DVec3::from(self.position_m);
-        let mut heading_rad = self.heading_deg.to_radians();
+        let mut heading_rad = self.mesh_heading_deg().to_radians();
         if self.circle_radius_m > 0.0 {
             // Clockwise from above: north, east, south, west; the front is a quarter turn ahead.
             let turn = std::f64::consts::TAU * (time_s / self.circle_period_s).rem_euclid(1.0);
@@ -61,9 +61,19 @@ impl Object {
         DAffine3::from_scale_rotation_translation(DVec3::splat(self.scale), rotation, position_m)
     }
 
+    /// The bearing of the mesh's −z. The front of our meshes; that of a glTF file is its +z (glTF 2.0, section
+    /// 3.3).
+    fn mesh_heading_deg(&self) -> f64 {
+        self.heading_deg + if self.file.is_some() { 180.0 } else { 0.0 }
+    }
+
     /// Where it stands if it stands still.
     pub fn placement(&self) -> Placement {
-        Placement { position_m: self.position_m.into(), heading_deg: self.heading_deg, scale: self.scale }
+        Placement {
+            position_m: self.position_m.into(),
+            heading_deg: self.mesh_heading_deg(),
+            scale: self.scale,
+        }
     }
 }
 
@@ -118,6 +128,14 @@ mod tests {
             let world_from_mesh = object.world_from_mesh(&Calm, 0.0);
             assert!((world_from_mesh.transform_vector3(DVec3::NEG_Z) - 2.0 * front).length() < 1e-12);
         }
+    }
+
+    #[test]
+    fn the_front_of_a_gltf_file_is_its_plus_z() {
+        let object = object("file = \"boat.glb\"\nheading_deg = 90.0");
+        assert!((object.world_from_mesh(&Calm, 0.0).transform_vector3(DVec3::Z) - DVec3::X).length() < 1e-12);
+        let placed = object.placement().world_from_mesh();
+        assert!((placed.transform_vector3(DVec3::Z) - DVec3::X).length() < 1e-12);
     }
 
     #[test]

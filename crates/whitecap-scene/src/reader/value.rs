@@ -80,9 +80,12 @@ impl<'a> ValueReader<'a> {
     pub(crate) fn error(&self, problem: impl Into<String>) -> SceneError {
         let span = self.value.span();
         let mut error = self.source.error(Some(span.start), self.key.clone(), problem.into());
-        // A table's span is its header, which says nothing that the key does not.
-        let is_table = self.value.get_ref().is_table();
-        error.0.found = (!is_table).then(|| self.source.quote(span)).filter(|found| !found.is_empty());
+        // The span of a table, or of several, is its header, which says nothing that the key does not.
+        let is_header = match self.value.get_ref() {
+            DeValue::Array(array) => array.iter().next().is_some_and(|first| first.get_ref().is_table()),
+            value => value.is_table(),
+        };
+        error.0.found = (!is_header).then(|| self.source.quote(span)).filter(|found| !found.is_empty());
         error
     }
 }

@@ -53,7 +53,7 @@ impl LakeBed {
             return -basin_m - BANK_SLOPE * shore_m * below * (1.0 - 0.5 * below) + uneven_m;
         }
         let inland = (place.length() - shore_m) / (RIM_M - shore_m);
-        let hill_m = 10.5 + 4.2 * (1.8 * self.hills.octaves(place / 55.0, 3)).clamp(-1.0, 1.0);
+        let hill_m = 10.8 + 4.0 * (1.8 * self.hills.octaves(place / 55.0, 3)).clamp(-1.0, 1.0);
         let rough_m = 0.7 * self.hills.octaves(place / 6.0, 2) * smooth_step(0.05, 0.3, inland);
         let bank_m = BANK_SLOPE * (place.length() - shore_m);
         let rise = smooth_step(0.0, 0.95, inland);
