@@ -8,6 +8,11 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::technique::meshuggah::meshuggah", "meshuggah", &[]),
     ("package::technique::meshuggah::meshuggah", "meshuggah_per_sample", &["per_sample"]),
     ("package::technique::meshuggah::vertices", "meshuggah_vertices", &[]),
+    ("package::technique::five_sample::final", "five_sample", &[]),
+    ("package::technique::five_sample::later", "five_sample_later", &[]),
+    ("package::technique::five_sample::stages", "five_sample_stages", &[]),
+    ("package::technique::five_sample::dome", "five_sample_dome", &[]),
+    ("package::technique::five_sample::twins", "five_sample_twins", &[]),
     ("package::shader_lib::twins", "twins", &[]),
 ];
 

@@ -35,6 +35,16 @@ shaders! {
     MESHUGGAH_PER_SAMPLE = "meshuggah_per_sample";
     /// The Meshuggah ocean's vertex stage as a compute shader, for reading its results back.
     MESHUGGAH_VERTICES = "meshuggah_vertices";
+    /// Berglund's shader of five samples.
+    FIVE_SAMPLE = "five_sample";
+    /// The same with what its author left for later.
+    FIVE_SAMPLE_LATER = "five_sample_later";
+    /// The stages before it.
+    FIVE_SAMPLE_STAGES = "five_sample_stages";
+    /// The dome over it.
+    FIVE_SAMPLE_DOME = "five_sample_dome";
+    /// Its functions on a buffer of inputs.
+    FIVE_SAMPLE_TWINS = "five_sample_twins";
     /// Every shared function on a buffer of inputs.
     TWINS = "twins";
 }
