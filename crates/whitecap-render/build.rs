@@ -20,6 +20,11 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::technique::projected_grid::normal_map", "projected_grid_normals", &[]),
     ("package::technique::projected_grid::mip", "projected_grid_mip", &[]),
     ("package::technique::projected_grid::twins", "projected_grid_twins", &[]),
+    ("package::technique::five_sample::final", "five_sample", &[]),
+    ("package::technique::five_sample::later", "five_sample_later", &[]),
+    ("package::technique::five_sample::stages", "five_sample_stages", &[]),
+    ("package::technique::five_sample::dome", "five_sample_dome", &[]),
+    ("package::technique::five_sample::twins", "five_sample_twins", &[]),
     ("package::shader_lib::twins", "twins", &[]),
     ("package::shader_lib::sines_twins", "sines_twins", &[]),
 ];

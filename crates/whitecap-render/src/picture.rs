@@ -117,8 +117,10 @@ fn draw(
         Ok(())
     })?;
     progress(Stage::ReadBack);
-    let rgba8 =
+    let mut rgba8 =
         checked(device, "the picture's read-back", || read_texture(device, queue, &attachments.resolved))?;
+    // Alpha is a matter between a technique and its host; a picture is opaque.
+    rgba8.iter_mut().skip(3).step_by(4).for_each(|alpha| *alpha = u8::MAX);
     gpu.check()?;
     Ok(Picture { width: request.width, height: request.height, rgba8 })
 }

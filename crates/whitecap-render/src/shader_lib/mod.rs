@@ -59,6 +59,16 @@ shaders! {
     PROJECTED_GRID_MIP = "projected_grid_mip";
     /// Its functions on a buffer of inputs.
     PROJECTED_GRID_TWINS = "projected_grid_twins";
+    /// Berglund's shader of five samples.
+    FIVE_SAMPLE = "five_sample";
+    /// The same with what its author left for later.
+    FIVE_SAMPLE_LATER = "five_sample_later";
+    /// The stages before it.
+    FIVE_SAMPLE_STAGES = "five_sample_stages";
+    /// The dome over it.
+    FIVE_SAMPLE_DOME = "five_sample_dome";
+    /// Its functions on a buffer of inputs.
+    FIVE_SAMPLE_TWINS = "five_sample_twins";
     /// Every shared function on a buffer of inputs.
     TWINS = "twins";
     /// The sum of sines on a buffer of inputs.

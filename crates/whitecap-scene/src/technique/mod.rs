@@ -6,7 +6,7 @@ mod ocean_water;
 mod projected_grid;
 mod rippling_lake;
 
-pub use five_sample::FiveSample;
+pub use five_sample::{FiveSample, Variant};
 pub use meshuggah::{FresnelForm, Meshuggah, WaterColor};
 pub use ocean_water::{Highlights, OceanWater, Tangent};
 pub use projected_grid::{Normals, OffsetAxes, Pairing, ProjectedGrid, RefractedColor};
