@@ -75,10 +75,13 @@ fn water_is_where_it_should_be_for_every_camera() {
     let mut water = Water::new(&gpu.device, &gpu.queue, &scene, TargetFormat::default()).unwrap();
     let mut camera = 0;
     for height_m in [-12.0_f64, -0.2, 0.1, 2.5, 60.0, 4_000.0] {
-        for (pitch_deg, roll_deg) in [(-90.0_f64, 0.0_f64), (90.0, 0.0), (-3.0, 0.0), (-35.0, 140.0), (20.0, 70.0)] {
+        for (pitch_deg, roll_deg) in
+            [(-90.0_f64, 0.0_f64), (90.0, 0.0), (-3.0, 0.0), (-35.0, 140.0), (20.0, 70.0)]
+        {
             camera += 1;
             let look_at = DVec3::new(1.0, 0.0, -2.0 - f64::from(camera));
-            let level = Camera { position_m: [0.0; 3], look_at_m: look_at.to_array(), vertical_fov_deg: 70.0 };
+            let level =
+                Camera { position_m: [0.0; 3], look_at_m: look_at.to_array(), vertical_fov_deg: 70.0 };
             let mut view = View::of_camera(&level, SIZE);
             let turn = glam::Quat::from_rotation_z(-roll_deg.to_radians() as f32)
                 * glam::Quat::from_rotation_x(-pitch_deg.to_radians() as f32);

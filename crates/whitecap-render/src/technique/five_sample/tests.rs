@@ -66,7 +66,13 @@ struct GpuInput {
     sky: [f32; 4],
 }
 
-fn input(texels: [[f64; 3]; 5], view: DVec3, sun: DVec3, sky: [f64; 3], with: &FiveSampleConstants) -> GpuInput {
+fn input(
+    texels: [[f64; 3]; 5],
+    view: DVec3,
+    sun: DVec3,
+    sky: [f64; 3],
+    with: &FiveSampleConstants,
+) -> GpuInput {
     let four = |[r, g, b]: [f64; 3]| [r as f32, g as f32, b as f32, 0.0];
     GpuInput {
         texels: texels.map(four),
@@ -157,20 +163,20 @@ fn the_device_calculates_as_the_model_does() {
             (texels, up(random.three()), up(random.three()), random.three(), constants)
         })
         .collect();
-    let inputs: Vec<_> = cases.iter().map(|(t, view, sun, sky, with)| input(*t, *view, *sun, *sky, with)).collect();
+    let inputs: Vec<_> =
+        cases.iter().map(|(t, view, sun, sky, with)| input(*t, *view, *sun, *sky, with)).collect();
     for ([normal, color, more], (texels, view, sun, sky, with)) in run(gpu, &inputs).into_iter().zip(cases) {
         let model = five_sample_pixel(texels, view, sun, &with, |_| sky);
         let close = |a: f32, b: f64| (f64::from(a) - b).abs() < 2e-5 * (1.0 + 10.0 * b.abs());
         assert!(Vec3::from_slice(&normal[..3]).as_dvec3().distance(model.normal) < 1e-5);
-        assert!(close(normal[3], model.fresnel) && close(color[3], model.sun), "{normal:?} {color:?} {model:?}");
+        assert!(
+            close(normal[3], model.fresnel) && close(color[3], model.sun),
+            "{normal:?} {color:?} {model:?}"
+        );
         assert!((0..3).all(|c| close(color[c], model.color[c])), "{color:?} {model:?}");
         let [x, y, z] = texels[0];
-        let expected = [
-            model.sky_address,
-            later::shoal(x, y),
-            later::swash_drop_m(z, x),
-            later::swash_phase(x, z, y),
-        ];
+        let expected =
+            [model.sky_address, later::shoal(x, y), later::swash_drop_m(z, x), later::swash_phase(x, z, y)];
         assert!((0..4).all(|i| close(more[i], expected[i])), "{more:?} {expected:?}");
     }
 }
@@ -367,7 +373,11 @@ fn water_is_where_it_should_be_for_every_camera() {
                 let up = ray(&view, x, y).y;
                 let nothing = pixel[..3] == [255, 0, 255];
                 if up.abs() > 0.5 * view.pixel_angle_rad() {
-                    assert_eq!(nothing, up > 0.0, "{name}, camera {camera} at {eye}: ({x}, {y}) looks {up} up");
+                    assert_eq!(
+                        nothing,
+                        up > 0.0,
+                        "{name}, camera {camera} at {eye}: ({x}, {y}) looks {up} up"
+                    );
                 }
             }
         }
@@ -481,7 +491,9 @@ fn the_later_things_show_at_the_island() {
         .replace("[five-sample]", "[five-sample]\nwave_strength = 0.0")
         .replace("position_m = [0.0, 3.5, 66.0]", "position_m = [0.0, 40.0, 46.0]")
         .replace("look_at_m = [-14.0, 0.0, 30.0]", "look_at_m = [0.0, 0.0, 45.9]");
-    let with = |flag: &str, time_s| picture(gpu, &down.replace(&format!("{flag} = true"), &format!("{flag} = false")), time_s);
+    let with = |flag: &str, time_s| {
+        picture(gpu, &down.replace(&format!("{flag} = true"), &format!("{flag} = false")), time_s)
+    };
     let mean = |pixels: &[u8], c: usize| {
         pixels.iter().skip(c).step_by(4).map(|v| f64::from(*v)).sum::<f64>() / (pixels.len() / 4) as f64
     };

@@ -19,16 +19,7 @@ fn rust_and_wgsl_agree_about_layout() {
         GpuProjectedGrid,
         shader_lib::PROJECTED_GRID.wgsl,
         "GpuProjectedGrid",
-        [
-            toward_sun,
-            sun_strength,
-            water_color,
-            sun_shininess,
-            offset_axes,
-            level_m,
-            distortion,
-            options
-        ]
+        [toward_sun, sun_strength, water_color, sun_shininess, offset_axes, level_m, distortion, options]
     );
     for shader in [shader_lib::PROJECTED_GRID_HEIGHTS, shader_lib::PROJECTED_GRID_NORMALS] {
         assert_layout!(
@@ -102,9 +93,11 @@ fn coherent(scene: &mut Scene) {
 /// The vertices that are drawn lie on the surface that can be asked for its height, far from the origin as well.
 #[test]
 fn drawn_vertices_are_the_models() {
-    for (eye_m, time_s) in
-        [(DVec3::new(5.0, 3.0, -7.0), 12.3), (DVec3::new(1e6, 8.0, -7e5), -5e5), (DVec3::new(0.0, 0.1, 0.0), 0.0)]
-    {
+    for (eye_m, time_s) in [
+        (DVec3::new(5.0, 3.0, -7.0), 12.3),
+        (DVec3::new(1e6, 8.0, -7e5), -5e5),
+        (DVec3::new(0.0, 0.1, 0.0), 0.0),
+    ] {
         let Some(fixture) = fixture(coherent, eye_m, time_s) else { return };
         let vertices = &fixture.technique.vertices;
         assert_eq!(vertices.len(), 65 * 129);
@@ -279,7 +272,8 @@ struct TwinInput {
 #[test]
 fn shader_functions_equal_their_twins() {
     let Some(gpu) = gpu() else { return };
-    let corners = [[-2.0, 0.0, 1.5, 0.5], [2.0, 0.25, 1.5, 0.5], [-3.0, 0.0, -9.0, 0.125], [3.0, 0.5, -9.0, 0.125]];
+    let corners =
+        [[-2.0, 0.0, 1.5, 0.5], [2.0, 0.25, 1.5, 0.5], [-3.0, 0.0, -9.0, 0.125], [3.0, 0.5, -9.0, 0.125]];
     let inputs: Vec<TwinInput> = [1.0_f32, 0.99, 0.95, 0.9, -0.5]
         .into_iter()
         .enumerate()
