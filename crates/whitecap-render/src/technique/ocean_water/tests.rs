@@ -145,7 +145,7 @@ fn vertices_equal_their_twins() {
     let mended = SumOfSinesParameters { taylor: Taylor::Mended, ..SumOfSinesParameters::OCEAN_WATER };
     for sines in [printed(), SumOfSines::new(mended).unwrap()] {
         let cases: Vec<(DVec2, f64, f32)> = (0..200)
-            .map(|i| f64::from(i))
+            .map(f64::from)
             .map(|i| (DVec2::new(0.37 * i - 20.0, 11.0 - 0.83 * i), 1.7 * i - 100.0, (i % 5.0) as f32 / 4.0))
             .collect();
         let inputs: Vec<VertexInput> =
