@@ -105,7 +105,8 @@ fn all_visible_water_is_covered_for_ten_thousand_cameras() {
                     continue;
                 };
                 let grid = grid.as_ref().unwrap_or_else(|| panic!("camera {i} sees water and gets no grid"));
-                let place = grid.place_of(water).unwrap_or_else(|| panic!("camera {i}: behind the projector"));
+                let place =
+                    grid.place_of(water).unwrap_or_else(|| panic!("camera {i}: behind the projector"));
                 let low = place.min_element().min(1.0 - place.max_element());
                 assert!(low > -1e-6, "camera {i}: water at {water} lies at {place} of the grid");
                 covered += 1;
@@ -147,7 +148,8 @@ fn the_projectors_lens_does_not_matter() {
     let world_from_view =
         DMat4::from_cols(p.right.extend(0.0), p.up.extend(0.0), (-p.forward).extend(0.0), DVec4::W);
     let view_from_sea = world_from_view.transpose() * DMat4::from_translation(DVec3::NEG_Y * p.height_m);
-    let clip_from_view = glam::camera::rh::proj::directx::perspective(45.0_f32.to_radians(), 16.0 / 9.0, 0.1, 1e4);
+    let clip_from_view =
+        glam::camera::rh::proj::directx::perspective(45.0_f32.to_radians(), 16.0 / 9.0, 0.1, 1e4);
     let clip_from_sea = clip_from_view.as_dmat4() * view_from_sea;
     let (mut min, mut max) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
     for point in &hull {

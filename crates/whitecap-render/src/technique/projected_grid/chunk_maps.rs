@@ -19,8 +19,8 @@ impl ChunkMaps {
     pub(super) fn new(device: &wgpu::Device, side: u32) -> ChunkMaps {
         let (format, usage) = (wgpu::TextureFormat::R16Float, wgpu::TextureUsages::COPY_DST);
         let levels = side.ilog2() + 1;
-        let textures =
-            ["noise 0", "noise 1"].map(|label| texture_2d(device, label, [side, side], levels, format, usage));
+        let textures = ["noise 0", "noise 1"]
+            .map(|label| texture_2d(device, label, [side, side], levels, format, usage));
         ChunkMaps { textures }
     }
 

@@ -27,7 +27,12 @@ pub(super) struct GpuMaps {
 }
 
 impl GpuMaps {
-    pub(super) fn new(settings: &Settings, noise: &PerlinNoise, grid: &ProjectedGrid, eye_m: DVec3) -> GpuMaps {
+    pub(super) fn new(
+        settings: &Settings,
+        noise: &PerlinNoise,
+        grid: &ProjectedGrid,
+        eye_m: DVec3,
+    ) -> GpuMaps {
         let parameters = noise.parameters();
         let chunk = noise.chunk_size() as f64;
         // Repeats of each chunk in a unit of scaled distance, metres for a height of 1, texels between the corner
@@ -105,9 +110,21 @@ impl MapPasses {
         let normal_resources = [slots.binding(), TextureView(&height_view)];
         MapPasses {
             size,
-            height_pipeline: pipeline(device, &shader_lib::PROJECTED_GRID_HEIGHTS, &height_layout, HEIGHTS, true),
+            height_pipeline: pipeline(
+                device,
+                &shader_lib::PROJECTED_GRID_HEIGHTS,
+                &height_layout,
+                HEIGHTS,
+                true,
+            ),
             height_group: bind_group(device, "height map", &height_layout, height_resources),
-            normal_pipeline: pipeline(device, &shader_lib::PROJECTED_GRID_NORMALS, &normal_layout, NORMALS, true),
+            normal_pipeline: pipeline(
+                device,
+                &shader_lib::PROJECTED_GRID_NORMALS,
+                &normal_layout,
+                NORMALS,
+                true,
+            ),
             normal_group: bind_group(device, "normal map", &normal_layout, normal_resources),
             mip_pipeline: pipeline(device, &shader_lib::PROJECTED_GRID_MIP, &mip_layout, NORMALS, false),
             mip_layout,
@@ -123,10 +140,15 @@ impl MapPasses {
         let texture = texture_2d(device, "normal map", self.size, count, NORMALS, usage);
         let level = |base_mip_level| {
             let mip_level_count = Some(1);
-            texture.create_view(&wgpu::TextureViewDescriptor { base_mip_level, mip_level_count, ..Default::default() })
+            texture.create_view(&wgpu::TextureViewDescriptor {
+                base_mip_level,
+                mip_level_count,
+                ..Default::default()
+            })
         };
         let levels: Vec<_> = (0..count).map(level).collect();
-        let from = |finer| bind_group(device, "mip", &self.mip_layout, [wgpu::BindingResource::TextureView(finer)]);
+        let from =
+            |finer| bind_group(device, "mip", &self.mip_layout, [wgpu::BindingResource::TextureView(finer)]);
         let finer = levels[..levels.len() - 1].iter().map(from).collect();
         NormalMap { levels, finer, texture }
     }

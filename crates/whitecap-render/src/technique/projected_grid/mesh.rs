@@ -49,7 +49,8 @@ pub(super) fn fill(
     chunks: &Chunks,
 ) {
     let (across, down) = (settings.across as usize, settings.down as usize);
-    let place = |i: usize| [(i % across) as f64 / (across - 1) as f64, (i / across) as f64 / (down - 1) as f64];
+    let place =
+        |i: usize| [(i % across) as f64 / (across - 1) as f64, (i / across) as f64 / (down - 1) as f64];
     let eye = DVec2::new(eye_m.x, eye_m.z);
     let mut points: Vec<DVec3> = (0..across * down)
         .map(|i| {

@@ -19,16 +19,7 @@ fn rust_and_wgsl_agree_about_layout() {
         GpuProjectedGrid,
         shader_lib::PROJECTED_GRID.wgsl,
         "GpuProjectedGrid",
-        [
-            toward_sun,
-            sun_strength,
-            water_color,
-            sun_shininess,
-            offset_axes,
-            level_m,
-            distortion,
-            options
-        ]
+        [toward_sun, sun_strength, water_color, sun_shininess, offset_axes, level_m, distortion, options]
     );
     for shader in [shader_lib::PROJECTED_GRID_HEIGHTS, shader_lib::PROJECTED_GRID_NORMALS] {
         assert_layout!(
@@ -39,6 +30,9 @@ fn rust_and_wgsl_agree_about_layout() {
         );
     }
 }
+
+/// The demo's, which its golden numbers are for.
+const STRENGTH_M: f64 = 0.9;
 
 /// A technique on the test adapter, brought to a time for one view.
 struct Fixture {
@@ -53,6 +47,8 @@ fn fixture(edit: impl Fn(&mut Scene), eye_m: DVec3, time_s: f64) -> Option<Fixtu
     let (device, queue) = (&gpu.device, &gpu.queue);
     let mut scene = whitecap_scene::open("projected-grid").unwrap();
     scene.objects.clear();
+    let whitecap_scene::sea::SeaModel::Perlin(sea) = &mut scene.sea.model else { panic!() };
+    sea.strength_m = STRENGTH_M;
     edit(&mut scene);
     let environment = Environment::new(&scene).unwrap();
     let shared = Shared::new(device, queue, &environment, TargetFormat::default());
@@ -102,9 +98,11 @@ fn coherent(scene: &mut Scene) {
 /// The vertices that are drawn lie on the surface that can be asked for its height, far from the origin as well.
 #[test]
 fn drawn_vertices_are_the_models() {
-    for (eye_m, time_s) in
-        [(DVec3::new(5.0, 3.0, -7.0), 12.3), (DVec3::new(1e6, 8.0, -7e5), -5e5), (DVec3::new(0.0, 0.1, 0.0), 0.0)]
-    {
+    for (eye_m, time_s) in [
+        (DVec3::new(5.0, 3.0, -7.0), 12.3),
+        (DVec3::new(1e6, 8.0, -7e5), -5e5),
+        (DVec3::new(0.0, 0.1, 0.0), 0.0),
+    ] {
         let Some(fixture) = fixture(coherent, eye_m, time_s) else { return };
         let vertices = &fixture.technique.vertices;
         assert_eq!(vertices.len(), 65 * 129);
@@ -154,7 +152,7 @@ fn the_coherent_height_map_is_the_model() {
     let eye_m = DVec3::new(4e5, 2.0, -3e5);
     let Some(fixture) = fixture(coherent, eye_m, 7.7) else { return };
     let heights = height_map(&fixture);
-    let metres = 65_535.0 / 16_384.0 * 0.9;
+    let metres = 65_535.0 / 16_384.0 * STRENGTH_M;
     // Half floats keep 11 bits; 40 cm are the waves' height.
     let bound_m = 4e-4;
     for row in [3, 20, 60] {
@@ -204,7 +202,7 @@ fn normals_are_of_the_height_map() {
     let eye_m = DVec3::new(0.0, 3.0, 0.0);
     let Some(fixture) = fixture(coherent, eye_m, 3.0) else { return };
     let (heights, normals) = (height_map(&fixture), normal_map(&fixture));
-    let metres = 65_535.0 / 16_384.0 * 0.9;
+    let metres = 65_535.0 / 16_384.0 * STRENGTH_M;
     let at = |column: i32, row: i32| {
         let (u, v) = ((f64::from(column) + 0.5) / 512.0, (f64::from(row) + 0.5) / 1024.0);
         let level = fixture.grid.point(u, v);
@@ -279,7 +277,8 @@ struct TwinInput {
 #[test]
 fn shader_functions_equal_their_twins() {
     let Some(gpu) = gpu() else { return };
-    let corners = [[-2.0, 0.0, 1.5, 0.5], [2.0, 0.25, 1.5, 0.5], [-3.0, 0.0, -9.0, 0.125], [3.0, 0.5, -9.0, 0.125]];
+    let corners =
+        [[-2.0, 0.0, 1.5, 0.5], [2.0, 0.25, 1.5, 0.5], [-3.0, 0.0, -9.0, 0.125], [3.0, 0.5, -9.0, 0.125]];
     let inputs: Vec<TwinInput> = [1.0_f32, 0.99, 0.95, 0.9, -0.5]
         .into_iter()
         .enumerate()
