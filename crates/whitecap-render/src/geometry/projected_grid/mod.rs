@@ -10,13 +10,12 @@
 //! | S_upper, S_lower | y = ±`slab_m`, the levels that no wave passes |
 //! | V_displaceable | the slab between the two |
 //! | V_cam | the camera's frustum, its far plane brought to `far_m` |
-//! | M_range | [`Range`]: what part of the projector's picture the water fills |
+//! | M_range | what part of the projector's picture the water fills |
 //!
 //! # Steps
 //!
-//! 1. The frustum's corners and edges are cut with the slab; without a cut there is no water to see
-//!    ([`visible_hull`]).
-//! 2. A projector is placed and aimed ([`projector`]).
+//! 1. The frustum's corners and edges are cut with the slab (`hull.rs`); without a cut there is no water to see.
+//! 2. A projector is placed and aimed (`projector.rs`).
 //! 3. The cuts are dropped onto S_base and seen by the projector: their bounds are M_range.
 //! 4. The grid's four corners are lines of the projector cut with S_base, in homogeneous coordinates. Every other
 //!    vertex is bilinear between them, and divided by w.

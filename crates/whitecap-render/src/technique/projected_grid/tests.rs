@@ -31,6 +31,9 @@ fn rust_and_wgsl_agree_about_layout() {
     }
 }
 
+/// The demo's, which its golden numbers are for.
+const STRENGTH_M: f64 = 0.9;
+
 /// A technique on the test adapter, brought to a time for one view.
 struct Fixture {
     technique: ProjectedGrid,
@@ -44,6 +47,8 @@ fn fixture(edit: impl Fn(&mut Scene), eye_m: DVec3, time_s: f64) -> Option<Fixtu
     let (device, queue) = (&gpu.device, &gpu.queue);
     let mut scene = whitecap_scene::open("projected-grid").unwrap();
     scene.objects.clear();
+    let whitecap_scene::sea::SeaModel::Perlin(sea) = &mut scene.sea.model else { panic!() };
+    sea.strength_m = STRENGTH_M;
     edit(&mut scene);
     let environment = Environment::new(&scene).unwrap();
     let shared = Shared::new(device, queue, &environment, TargetFormat::default());
@@ -147,7 +152,7 @@ fn the_coherent_height_map_is_the_model() {
     let eye_m = DVec3::new(4e5, 2.0, -3e5);
     let Some(fixture) = fixture(coherent, eye_m, 7.7) else { return };
     let heights = height_map(&fixture);
-    let metres = 65_535.0 / 16_384.0 * 0.9;
+    let metres = 65_535.0 / 16_384.0 * STRENGTH_M;
     // Half floats keep 11 bits; 40 cm are the waves' height.
     let bound_m = 4e-4;
     for row in [3, 20, 60] {
@@ -197,7 +202,7 @@ fn normals_are_of_the_height_map() {
     let eye_m = DVec3::new(0.0, 3.0, 0.0);
     let Some(fixture) = fixture(coherent, eye_m, 3.0) else { return };
     let (heights, normals) = (height_map(&fixture), normal_map(&fixture));
-    let metres = 65_535.0 / 16_384.0 * 0.9;
+    let metres = 65_535.0 / 16_384.0 * STRENGTH_M;
     let at = |column: i32, row: i32| {
         let (u, v) = ((f64::from(column) + 0.5) / 512.0, (f64::from(row) + 0.5) / 1024.0);
         let level = fixture.grid.point(u, v);
