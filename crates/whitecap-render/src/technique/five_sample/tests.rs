@@ -47,6 +47,7 @@ fn rust_and_wgsl_agree_about_layout() {
                 shore_depth_m,
                 swash_height_m,
                 swash_turns,
+                daylight,
             ]
         );
     }
