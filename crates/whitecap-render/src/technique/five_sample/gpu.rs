@@ -79,8 +79,7 @@ impl Pipeline {
             attributes: &wgpu::vertex_attr_array![0 => Float32x2],
         })];
         let create = |shader: &Shader, vertices: &[Option<wgpu::VertexBufferLayout<'_>>], write, later| {
-            let groups =
-                [Some(&shared.view_layout), Some(&shared.environment_layout), Some(&layout), later];
+            let groups = [Some(&shared.view_layout), Some(&shared.environment_layout), Some(&layout), later];
             PipelineRequest {
                 label: shader.name,
                 shader,
@@ -95,8 +94,7 @@ impl Pipeline {
         let water = create(&shader, &vertices, true, later.map(|later| &later.layout));
         let dome = create(&shader_lib::FIVE_SAMPLE_DOME, &[], false, None);
         let grid = plane(spacing);
-        let mesh =
-            |contents: &[u8], usage| buffer(device, build.queue, "level sea", contents, usage);
+        let mesh = |contents: &[u8], usage| buffer(device, build.queue, "level sea", contents, usage);
         Pipeline {
             water,
             dome,
@@ -160,12 +158,7 @@ fn bind_group(
     });
     let clamp = linear_sampler(device, "sky gradient", wgpu::AddressMode::ClampToEdge);
     use wgpu::BindingResource::{Sampler, TextureView};
-    let resources = [
-        slots.binding(),
-        TextureView(&wavemap),
-        Sampler(&repeat),
-        TextureView(&skymap),
-        Sampler(&clamp),
-    ];
+    let resources =
+        [slots.binding(), TextureView(&wavemap), Sampler(&repeat), TextureView(&skymap), Sampler(&clamp)];
     resources::bind_group(device, "five-sample", layout, resources)
 }

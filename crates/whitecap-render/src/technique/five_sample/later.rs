@@ -62,8 +62,7 @@ impl Later {
         let texture = texture_2d(device, "ground", [side, side], 1, format, usage);
         write_level(queue, &texture, 0, bytemuck::cast_slice(heights));
 
-        let nothing =
-            texture_2d(device, "nothing", [1, 1], 1, wgpu::TextureFormat::Rgba8Unorm, usage);
+        let nothing = texture_2d(device, "nothing", [1, 1], 1, wgpu::TextureFormat::Rgba8Unorm, usage);
         write_level(queue, &nothing, 0, &[0; 4]);
         let px = if build.is_software() { SOFTWARE_MAP_PX } else { MAP_PX };
         let planar = |role| {
@@ -115,10 +114,9 @@ impl Later {
     /// so far away that no pixel finds it.
     pub(super) fn ground_from(&self, eye_m: DVec2) -> ([f32; 2], [f32; 2]) {
         match self.place {
-            Some(place) => (
-                (place.north_west_m - eye_m).as_vec2().to_array(),
-                place.points_per_m.as_vec2().to_array(),
-            ),
+            Some(place) => {
+                ((place.north_west_m - eye_m).as_vec2().to_array(), place.points_per_m.as_vec2().to_array())
+            }
             None => ([f32::MAX; 2], [1.0; 2]),
         }
     }
