@@ -34,7 +34,7 @@ pub(super) struct GpuFiveSample {
     pub(super) shore_depth_m: f32,
     pub(super) swash_height_m: f32,
     pub(super) swash_turns: f32,
-    pub(super) padding: u32,
+    pub(super) daylight: f32,
 }
 
 /// The option bits that `later.wesl` and `dome.wesl` name.

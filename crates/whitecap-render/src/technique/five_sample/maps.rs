@@ -47,9 +47,9 @@ impl MapRecipe {
         let diagonal = glam::DVec2::new(0.8, 0.6);
         Ok(match self {
             MapRecipe::Perlin => (HeightField::perlin(MAP_SIZE, seed, 6, 0.6)?, 9.0),
-            MapRecipe::BetterPerlin => (HeightField::perlin(MAP_SIZE, seed, 4, 0.4)?, 8.0),
-            MapRecipe::SoftWaves => (ripples(5.0, 3.0, 1.0, diagonal)?, 2.5),
-            MapRecipe::HandMade => (ripples(7.0, 1.0, 0.3, diagonal)?, 2.2),
+            MapRecipe::BetterPerlin => (HeightField::perlin(MAP_SIZE, seed, 4, 0.4)?, 11.0),
+            MapRecipe::SoftWaves => (ripples(5.0, 3.0, 1.0, diagonal)?, 2.2),
+            MapRecipe::HandMade => (ripples(7.0, 1.0, 0.3, diagonal)?, 1.9),
         })
     }
 }

@@ -47,7 +47,8 @@ impl FiveSample {
         let map = form.map.levels(build.scene.seed, settings.wave_strength)?;
         let colors = [settings.zenith_color, settings.middle_color, settings.horizon_color];
         let sky = maps::sky_gradient(colors, f64::from(build.daylight));
-        let later = settings.has_later().then(|| Later::new(build, settings)).transpose()?;
+        let has_later = settings.has_later() && form.stage.is_none();
+        let later = has_later.then(|| Later::new(build, settings)).transpose()?;
         let slots = ViewSlots::new(build.device, "five-sample");
         let pipeline = Pipeline::new(build, &form, spacing, &slots, &map, &sky, later.as_ref());
         let toward_sun =
@@ -90,10 +91,11 @@ impl FiveSample {
             shore_depth_m: settings.shore_depth_m as f32,
             swash_height_m: settings.swash_height_m as f32,
             swash_turns: (time_s / settings.swash_period_s).rem_euclid(1.0) as f32,
+            daylight: self.daylight,
             ..Default::default()
         };
         if let Some(stage) = &self.form.stage {
-            uniforms.options |= stage.options();
+            uniforms.options = (uniforms.options & gpu::SUN_DISC) | stage.options();
             uniforms.layer_count = stage.layer_count;
             // A sun brighter than white came with the last form.
             uniforms.sun_brightness = self.daylight;
