@@ -11,6 +11,17 @@ use crate::registry::Registered;
 
 use super::Technique;
 
+/// What it follows.
+pub(super) const SOURCE: &str = "Berglund, work log of an ocean shader with five samples of one normal map";
+
+/// Where it departs from that, whatever the settings.
+pub(super) const DIFFERS: &[&str] = &[
+    "The texture coordinate's unit, the normal maps and the sky's gradient are not in the text; \
+     they are chosen and made.",
+    "Colours, factors and maps of the stages are chosen by the log's words.",
+    "Sky, emission and sun dim with daylight.",
+];
+
 pub(super) const REGISTERED: Registered<Technique> = Registered {
     word: "five-sample",
     summary: "Berglund's shader of five samples: emission against reflection on a flat sea",

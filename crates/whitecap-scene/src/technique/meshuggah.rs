@@ -11,6 +11,17 @@ use crate::registry::Registered;
 
 use super::Technique;
 
+/// What it follows.
+pub(super) const SOURCE: &str = "Carsten Wenzel, \"Ocean scene\", in Meshuggah, 2002";
+
+/// Where it departs from that, whatever the settings.
+pub(super) const DIFFERS: &[&str] = &[
+    "The mesh goes on to the horizon by an apron of rings.",
+    "Waves finer than the far mesh are drawn as normals, and those finer than a pixel widen the reflection.",
+    "The water's colours dim after sunset, and haze softens the horizon.",
+    "Environment and bump map hold 16-bit floats instead of 8 bits.",
+];
+
 pub(super) const REGISTERED: Registered<Technique> = Registered {
     word: "meshuggah",
     summary: "Wenzel's ocean from Meshuggah (2002): a tiled FFT sea with a bump map of its own normals",

@@ -76,40 +76,22 @@ impl Technique {
     /// The text that it follows: who, what, where, when.
     pub fn source(&self) -> &'static str {
         match self {
-            Self::OceanWater(_) => {
-                "John Isidoro, Alex Vlachos and Chris Brennan (ATI), \"Rendering Ocean Water\", in Direct3D \
-                 ShaderX, 2002"
-            }
-            Self::RipplingLake(_) => {
-                "Alex Vlachos, John Isidoro and Chris Oat (ATI), \"Rippling Reflective and Refractive Water\", in \
-                 Direct3D ShaderX, 2002"
-            }
-            Self::ProjectedGrid(_) => {
-                "Claes Johanson, \"Real-time water rendering: Introducing the projected grid concept\", master's \
-                 thesis, Lund University, 2004"
-            }
-            Self::Meshuggah(_) => "Carsten Wenzel, \"Ocean scene\", in Meshuggah, 2002",
-            Self::FiveSample(_) => {
-                "Berglund, work log of an ocean shader with five samples of one normal map"
-            }
+            Self::OceanWater(_) => ocean_water::SOURCE,
+            Self::RipplingLake(_) => rippling_lake::SOURCE,
+            Self::ProjectedGrid(_) => projected_grid::SOURCE,
+            Self::Meshuggah(_) => meshuggah::SOURCE,
+            Self::FiveSample(_) => five_sample::SOURCE,
         }
     }
 
     /// Where every scene that it draws departs from its text, whatever the settings; one sentence each.
     pub fn differs(&self) -> &'static [&'static str] {
         match self {
-            Self::OceanWater(_) => {
-                &["The text gives its plane no size: one of its units of height is 1 cm unless `unit_m` \
-                 says otherwise."]
-            }
-            Self::Meshuggah(_) => &[
-                "The mesh goes on to the horizon by an apron of rings.",
-                "Waves finer than the far mesh are drawn as normals, and those finer than a pixel widen the \
-                 reflection.",
-                "The water's colours dim after sunset, and haze softens the horizon.",
-                "Environment and bump map hold 16-bit floats instead of 8 bits.",
-            ],
-            _ => &[],
+            Self::OceanWater(_) => ocean_water::DIFFERS,
+            Self::RipplingLake(_) => rippling_lake::DIFFERS,
+            Self::ProjectedGrid(_) => projected_grid::DIFFERS,
+            Self::Meshuggah(_) => meshuggah::DIFFERS,
+            Self::FiveSample(_) => five_sample::DIFFERS,
         }
     }
 

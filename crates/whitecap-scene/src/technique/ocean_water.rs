@@ -9,6 +9,20 @@ use crate::registry::Registered;
 
 use super::Technique;
 
+/// What it follows.
+pub(super) const SOURCE: &str = "John Isidoro, Alex Vlachos and Chris Brennan (ATI), \"Rendering Ocean Water\", in Direct3D \
+     ShaderX, 2002";
+
+/// Where it departs from that, whatever the settings.
+pub(super) const DIFFERS: &[&str] = &[
+    "The text gives its plane no size: one of its units of height is 1 cm unless `unit_m` says \
+     otherwise.",
+    "The plane goes on to the horizon, and far waves are damped before its cells get too wide for \
+     them.",
+    "Shores damp the waves by the depth of the ground; the text's artists painted them.",
+    "Bump maps are filtered trilinearly, and the water's colours dim after sunset.",
+];
+
 pub(super) const REGISTERED: Registered<Technique> = Registered {
     word: "ocean-water",
     summary: "ATI's ocean (ShaderX 2002): four sines at the vertices, two bump maps, a squared reflection",

@@ -10,6 +10,19 @@ use crate::registry::Registered;
 
 use super::Technique;
 
+/// What it follows.
+pub(super) const SOURCE: &str = "Claes Johanson, \"Real-time water rendering: Introducing the projected grid concept\", \
+     master's thesis, Lund University, 2004";
+
+/// Where it departs from that, whatever the settings.
+pub(super) const DIFFERS: &[&str] = &[
+    "The far plane is cut at `far_km`, and wide views aim the projector more steeply than the \
+     text.",
+    "Noise reaches the device as half floats instead of 16-bit integers.",
+    "The sun is the sky's unless the text's angles are set.",
+    "The text's z runs north, ours south.",
+];
+
 pub(super) const REGISTERED: Registered<Technique> = Registered {
     word: "projected-grid",
     summary: "Johanson's projected grid (2004): the mesh that always lies before the camera, on Perlin noise",

@@ -9,6 +9,17 @@ use crate::registry::Registered;
 
 use super::Technique;
 
+/// What it follows.
+pub(super) const SOURCE: &str = "Alex Vlachos, John Isidoro and Chris Oat (ATI), \"Rippling Reflective and Refractive \
+     Water\", in Direct3D ShaderX, 2002";
+
+/// Where it departs from that, whatever the settings.
+pub(super) const DIFFERS: &[&str] = &[
+    "The altered projection is the one that the prose means; its listing is damaged.",
+    "The light is the sun's direction instead of a place.",
+    "The text publishes no scrolls, tilings, perturbations and tints; all of them are chosen.",
+];
+
 pub(super) const REGISTERED: Registered<Technique> = Registered {
     word: "rippling-lake",
     summary: "ATI's lake (ShaderX 2002): mirror and refraction maps disturbed by scrolling bump maps",
