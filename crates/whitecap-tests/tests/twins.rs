@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used)] // a test that cannot go on should stop
 
 use glam::{Vec2, Vec3};
-use whitecap_render::environment::linear_from_display;
+use whitecap_render::environment::{display_from_linear, exposed, linear_from_display};
 use whitecap_render::gpu::for_tests::compute;
 use whitecap_render::shader_lib;
 use whitecap_render::technique::meshuggah::normals::{bump_frame, world_from_bump};
@@ -43,6 +43,8 @@ fn the_gpus_functions_equal_the_cpus() {
         assert_near(surface[0], visible_cosine(x, variance), "visible_cosine");
         assert_near(surface[1], curvature_drop_m(distance, radius), "curvature_drop_m");
         assert_near(surface[2], linear_from_display(a[0]).into(), "linear_from_display");
+        assert_near(surface[3], exposed(a[0]).into(), "exposed");
+        assert_near(normal[3], display_from_linear(a[0]).into(), "display_from_linear");
         let bump = Vec3::new(a[0], a[1], a[2]);
         let expected = world_from_bump(bump_frame(Vec2::new(b[0], b[1])), bump);
         let seen = Vec3::new(normal[0], normal[1], normal[2]);

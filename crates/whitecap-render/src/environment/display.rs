@@ -20,8 +20,8 @@ const SOURCE: f32 = 20.0;
 
 /// The response of the picture that an environment map stands for: straight in the shadows, a shoulder
 /// that holds the colour of a bright sky below white, and the full range for the sun, whose reflections
-/// are what exposure is there for.
-pub(super) fn exposed(linear: f32) -> f32 {
+/// are what exposure is there for. Twin of `exposed` in `display.wesl`.
+pub fn exposed(linear: f32) -> f32 {
     let (low, high) = SHOULDER;
     let sky = linear.min(SOURCE);
     let rolled =

@@ -10,11 +10,10 @@ mod display;
 
 pub use atmosphere::Atmosphere;
 pub use cube::{CubeMap, FACE_SIZE, glow};
-pub use display::{display_from_linear, linear_from_display};
+pub use display::{display_from_linear, exposed, linear_from_display};
 
 use crate::RenderError;
 use clouds::Clouds;
-use display::exposed;
 use glam::{DVec3, Vec3};
 use std::f32::consts::PI;
 use whitecap_scene::panorama::Panorama;
