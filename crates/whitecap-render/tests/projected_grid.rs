@@ -151,7 +151,8 @@ fn no_setting_is_without_effect() {
         "distortion = 0.5",
         "offset_axes = \"view\"",
         "water_color = [0.35, 0.54, 0.52]",
-        "sun_alfa_deg = 45.0\nsun_theta_deg = 10.0",
+        "sun_alfa_deg = 45.0",
+        "sun_theta_deg = 10.0",
     ] {
         assert_ne!(render(&with(line)), before, "{line} changes nothing");
     }
@@ -175,12 +176,4 @@ fn no_setting_is_without_effect() {
     for line in ["sun_strength = 3.0", "sun_shininess = 20.0"] {
         assert_ne!(render(&sunny(line)), glint, "{line} changes nothing");
     }
-}
-
-/// Angles that stand alone mean nothing.
-#[test]
-fn the_suns_angles_come_in_pairs() {
-    let text = toml("projected-grid").replace("smooth = true", "sun_alfa_deg = 10.0");
-    let error = Scene::from_toml(&text, "test.toml").unwrap_err().to_string();
-    assert!(error.contains("sun_alfa_deg") && error.contains("sun_theta_deg"), "{error}");
 }

@@ -3,7 +3,6 @@
 //! Grid, maps and what is mixed are the thesis's. It gives no numbers for sun, water and distortion; those here are
 //! the ones that its demo starts with.
 
-use crate::error::SceneError;
 use crate::key::{Colour, Count, Flag, OneOf, PowerOfTwo, Real, optional, or, table, words};
 use crate::reader::TableReader;
 use crate::registry::Registered;
@@ -27,7 +26,7 @@ pub(super) const REGISTERED: Registered<Technique> = Registered {
     word: "projected-grid",
     summary: "Johanson's projected grid (2004): the mesh that always lies before the camera, on Perlin noise",
     keys: ProjectedGrid::keys,
-    read: |table| ProjectedGrid::read_checked(table).map(Technique::ProjectedGrid),
+    read: |table| ProjectedGrid::read(table).map(Technique::ProjectedGrid),
 };
 
 words! {
@@ -109,23 +108,10 @@ table! {
         sun_strength: f64 = or(Real { unit: "", min: 0.0, max: 100.0 }, 12.0);
         /// How narrow the sun's glint is: Phong's exponent.
         sun_shininess: f64 = or(Real { unit: "", min: 1.0, max: 10000.0 }, 84.0);
-        /// The angle of the glint's sun around, from north towards east: 79.07 (1.38 rad) in the demo. Together with
-        /// `sun_theta_deg`.
+        /// The angle of the glint's sun around, from north towards east: 79.07 (1.38 rad) in the demo.
         sun_alfa_deg: Option<f64> = optional(Real { unit: "deg", min: -360.0, max: 360.0 }, "the sky's sun");
-        /// The height of the glint's sun: 62.45 (1.09 rad) in the demo. Together with `sun_alfa_deg`.
+        /// The height of the glint's sun: 62.45 (1.09 rad) in the demo.
         sun_theta_deg: Option<f64> = optional(Real { unit: "deg", min: 0.0, max: 90.0 }, "the sky's sun");
-    }
-}
-
-impl ProjectedGrid {
-    fn read_checked(table: &TableReader<'_>) -> Result<Self, SceneError> {
-        let settings = Self::read(table)?;
-        let (found, lacking) = match (settings.sun_alfa_deg, settings.sun_theta_deg) {
-            (Some(_), None) => ("sun_alfa_deg", "sun_theta_deg"),
-            (None, Some(_)) => ("sun_theta_deg", "sun_alfa_deg"),
-            _ => return Ok(settings),
-        };
-        Err(table.error(Some(found), format!("without {lacking}; accepted: both or neither")))
     }
 }
 

@@ -215,15 +215,15 @@ impl Technique for ProjectedGrid {
     }
 }
 
-/// The sky's sun, or the text's angles. Their z runs north, ours south.
+/// The sky's sun, or either of the text's angles in its place. Their z runs north, ours south.
 fn toward_sun(build: &Build<'_>, settings: &settings::ProjectedGrid) -> Vec3 {
-    match (settings.sun_alfa_deg, settings.sun_theta_deg) {
-        (Some(alfa_deg), Some(theta_deg)) => {
-            let toward = sun_vector(alfa_deg.to_radians(), theta_deg.to_radians()).as_vec3();
-            toward * Vec3::new(1.0, 1.0, -1.0)
-        }
-        _ => build.toward_sun,
+    let sky = build.toward_sun.as_dvec3();
+    if (settings.sun_alfa_deg, settings.sun_theta_deg) == (None, None) {
+        return build.toward_sun;
     }
+    let alfa = settings.sun_alfa_deg.map_or_else(|| sky.x.atan2(-sky.z), f64::to_radians);
+    let theta = settings.sun_theta_deg.map_or_else(|| sky.y.clamp(-1.0, 1.0).asin(), f64::to_radians);
+    sun_vector(alfa, theta).as_vec3() * Vec3::new(1.0, 1.0, -1.0)
 }
 
 /// The horizontal axes (x, z) whose slopes shift look-ups along the picture's x and y. The text's are those of its
