@@ -17,11 +17,15 @@ pub(crate) struct GpuSines {
     pub(crate) slope_factor: f32,
     pub(crate) uv_per_m: f32,
     pub(crate) unit_m: f32,
+    pub(crate) folds: f32,
+    pub(crate) mended_tangent: f32,
+    pub(crate) padding: [u32; 2],
 }
 
 impl GpuSines {
     /// The waves at `time_s`, for texture coordinates that are counted from `uv_origin`. The phases there are
-    /// brought into one turn in f64, so that neither a far place nor a late time costs the shader digits.
+    /// brought into one turn in f64, so that neither a far place nor a late time costs the shader digits. The
+    /// tangent is the printed one.
     pub(crate) fn new(sines: &SumOfSines, uv_origin: DVec2, time_s: f64) -> GpuSines {
         let parameters = sines.parameters();
         let series = parameters.taylor.series();
@@ -38,6 +42,9 @@ impl GpuSines {
             slope_factor: parameters.slope_factor as f32,
             uv_per_m: (1.0 / parameters.uv_size_m) as f32,
             unit_m: parameters.unit_m as f32,
+            folds: f32::from(u8::from(series.folds)),
+            mended_tangent: 0.0,
+            padding: [0; 2],
         }
     }
 }
@@ -48,6 +55,7 @@ mod tests {
     use crate::gpu::for_tests::{compute, gpu};
     use crate::shader_lib::{self, layout::assert_layout};
     use glam::{DVec3, Vec4};
+    use std::f64::consts::TAU;
     use whitecap_waves::model::sines::{SumOfSinesParameters, Taylor};
 
     #[repr(C)]
@@ -104,9 +112,12 @@ mod tests {
                 stretch,
                 slope_factor,
                 uv_per_m,
-                unit_m
+                unit_m,
+                folds,
+                mended_tangent
             ]
         );
+        assert_layout!(Input, shader_lib::SINES_TWINS.wgsl, "TwinInput", [sines, phases, place]);
     }
 
     /// The polynomials at phases worked out by hand, whole turns away on either side.
@@ -133,6 +144,28 @@ mod tests {
         }
     }
 
+    /// Mended, the polynomials are −sin 2πf and −cos 2πf, at the seam and where x is folded as well.
+    #[test]
+    fn mended_polynomials_are_sine_and_cosine() {
+        let sines = GpuSines::new(&ocean(Taylor::Mended), DVec2::ZERO, 0.0);
+        let mut phases: Vec<f32> = (0..=1000).map(|i| i as f32 / 1000.0).collect();
+        phases.extend([0.25f32.next_down(), 0.75f32.next_up(), 1.0f32.next_down(), 1e-7]);
+        let inputs: Vec<Input> = phases
+            .iter()
+            .map(|&f| Input { sines, phases: [f, f - 1.0, f + 1.0, f], place: [0.0; 4] })
+            .collect();
+        let Some(outputs) = run(&inputs) else { return };
+        let mut worst = [0.0f64; 2];
+        for (input, seen) in inputs.iter().zip(outputs) {
+            for (i, phase) in input.phases.into_iter().enumerate() {
+                let (sine, cosine) = (TAU * f64::from(phase)).sin_cos();
+                let errors = [f64::from(seen.sine[i]) + sine, f64::from(seen.cosine[i]) + cosine];
+                worst = [0, 1].map(|k| worst[k].max(errors[k].abs()));
+            }
+        }
+        assert!(worst[0] < 1.6e-4 && worst[1] < 2.6e-5, "{worst:?}");
+    }
+
     #[test]
     fn golden_vertices() {
         let golden = [
@@ -151,6 +184,20 @@ mod tests {
             assert_near(seen.raised, DVec3::new(height, nx, ny), 1e-4);
             assert_near(seen.normal, normal.into(), 1e-5);
         }
+    }
+
+    /// As printed, the tangent along v is tilted by the derivative along u; mended, it lies in the surface.
+    #[test]
+    fn the_mended_tangent_is_at_right_angles_to_the_normal() {
+        let sea = ocean(Taylor::Printed);
+        let printed = at(&sea, DVec2::ZERO, 1.0, DVec2::new(0.3, 0.7), 0.0);
+        let mended = Input { sines: GpuSines { mended_tangent: 1.0, ..printed.sines }, ..printed };
+        let Some(outputs) = run(&[printed, mended]) else { return };
+        let [printed, mended] = [0, 1].map(|i| outputs[i].tangent.dot(outputs[i].normal));
+        assert!(printed.abs() > 0.02 && mended.abs() < 1e-6, "{printed} {mended}");
+        assert_eq!([outputs[0].raised, outputs[0].normal], [outputs[1].raised, outputs[1].normal]);
+        let ny = sea.at_uv(DVec2::new(0.3, 0.7), 1.0, 0.0).derivatives.y;
+        assert_near(outputs[1].tangent, DVec3::new(0.0, 1.0, -0.003 * ny).normalize(), 1e-5);
     }
 
     /// Anywhere, at any time: a thousand kilometres from the origin, a million seconds before and after.

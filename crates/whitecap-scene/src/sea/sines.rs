@@ -20,7 +20,9 @@ words! {
     pub enum Taylor {
         /// With the text's constants, whose −0.16161616 and 1.02 belong together.
         Printed = "printed",
-        /// With the series' true coefficients and without the factor 1.02.
+        /// With the series' true coefficients, without the factor 1.02, and only within a quarter turn of 0, where
+        /// four terms suffice; from there they are mirrored. Crests and troughs are smooth and no wave jumps
+        /// where its period ends.
         Mended = "mended",
     }
 }

@@ -4,56 +4,19 @@ use super::super::Build;
 use crate::geometry::TiledGrid;
 use crate::gpu::resources::{self, PipelineRequest, buffer, linear_sampler, rgba8_map, table_1d};
 use crate::shader_lib;
+use crate::surface::GpuSines;
 use crate::uniforms::{ViewSlots, sampler_entry, texture_entry};
-use whitecap_waves::model::sines::SumOfSinesParameters;
-
-/// Layout twin of `SineWaves` in `text.wesl`.
-#[repr(C)]
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-pub(super) struct GpuSineWaves {
-    pub(super) height: [f32; 4],
-    pub(super) direction_x: [f32; 4],
-    pub(super) direction_y: [f32; 4],
-    pub(super) sine: [f32; 4],
-    pub(super) cosine: [f32; 4],
-    pub(super) stretch: f32,
-    pub(super) slope_factor: f32,
-    pub(super) mended_tangent: f32,
-    pub(super) padding: u32,
-}
-
-impl GpuSineWaves {
-    pub(super) fn new(parameters: &SumOfSinesParameters, mended_tangent: bool) -> GpuSineWaves {
-        let series = parameters.taylor.series();
-        let waves = &parameters.waves;
-        GpuSineWaves {
-            height: waves.map(|wave| wave.height as f32),
-            direction_x: waves.map(|wave| wave.direction_per_uv.x as f32),
-            direction_y: waves.map(|wave| wave.direction_per_uv.y as f32),
-            sine: series.sine.map(|c| c as f32),
-            cosine: series.cosine.map(|c| c as f32),
-            stretch: series.stretch as f32,
-            slope_factor: parameters.slope_factor as f32,
-            mended_tangent: f32::from(u8::from(mended_tangent)),
-            padding: 0,
-        }
-    }
-}
 
 /// Layout twin of `GpuOceanWater` in `surface.wesl`.
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 pub(super) struct GpuOceanWater {
-    pub(super) waves: GpuSineWaves,
-    pub(super) centre_phases: [f32; 4],
+    pub(super) sines: GpuSines,
     pub(super) centre_bump_uv: [f32; 4],
     pub(super) centre_from_eye: [f32; 3],
-    pub(super) unit_m: f32,
-    pub(super) highlight_color: [f32; 3],
     pub(super) glow: f32,
-    pub(super) uv_per_m: f32,
+    pub(super) highlight_color: [f32; 3],
     pub(super) bumps_per_m: f32,
-    pub(super) padding: [u32; 2],
 }
 
 /// What the pixel shader samples.

@@ -19,11 +19,12 @@ mod sky_map;
 
 use super::{Build, Frame, Technique, wrong_sea};
 use crate::RenderError;
+use crate::surface::GpuSines;
 use crate::uniforms::ViewSlots;
 use crate::view::View;
 use damping::Damping;
 use glam::{DVec2, DVec3};
-use gpu::{Artwork, GpuOceanWater, GpuSineWaves, Pipeline};
+use gpu::{Artwork, GpuOceanWater, Pipeline};
 use mesh::Mesh;
 use whitecap_scene::mesh::Ground;
 use whitecap_scene::object::ground;
@@ -74,7 +75,7 @@ impl OceanWater {
     /// Phases and scrolls are reduced here, in f64 and at the mesh's centre: the shader sees small numbers
     /// wherever the viewer is and whatever the time.
     fn uniforms(&self, view: &View, time_s: f64) -> GpuOceanWater {
-        let (settings, parameters) = (&self.settings, self.sines.parameters());
+        let settings = &self.settings;
         let eye = DVec2::new(view.eye_m.x, view.eye_m.z);
         let centre = self.mesh.centre_m(eye);
         let uv = self.sines.uv(centre);
@@ -82,24 +83,23 @@ impl OceanWater {
         let [u1, v1] = settings.second_scroll_per_s;
         let [first, swapped] =
             bump_coordinates((uv * settings.bump_repeats).fract_gl(), time_s, [u0, v0, u1, v1]);
-        let uv_per_m = 1.0 / parameters.uv_size_m;
+        let mended_tangent = settings.tangent == settings::Tangent::Mended;
         GpuOceanWater {
-            waves: GpuSineWaves::new(parameters, settings.tangent == settings::Tangent::Mended),
-            centre_phases: self.sines.phases(uv, time_s).map(|phase| phase as f32),
+            sines: GpuSines {
+                mended_tangent: f32::from(u8::from(mended_tangent)),
+                ..GpuSines::new(&self.sines, uv, time_s)
+            },
             // The shader swaps the second pair itself, after it has added the vertex's place.
             centre_bump_uv: [first.x, first.y, swapped.y, swapped.x].map(|c| c as f32),
             centre_from_eye: DVec3::new(centre.x - eye.x, -view.eye_m.y, centre.y - eye.y)
                 .as_vec3()
                 .to_array(),
-            unit_m: parameters.unit_m as f32,
-            highlight_color: settings.highlight_color.map(|c| c as f32),
             glow: match settings.highlights {
                 settings::Highlights::GreenPower => 0.0,
                 settings::Highlights::GlowMap => 1.0,
             },
-            uv_per_m: uv_per_m as f32,
-            bumps_per_m: (uv_per_m * settings.bump_repeats) as f32,
-            padding: [0; 2],
+            highlight_color: settings.highlight_color.map(|c| c as f32),
+            bumps_per_m: (settings.bump_repeats / self.sines.parameters().uv_size_m) as f32,
         }
     }
 

@@ -1,4 +1,4 @@
-use super::gpu::{GpuOceanWater, GpuSineWaves};
+use super::gpu::GpuOceanWater;
 use super::*;
 use crate::environment::Environment;
 use crate::gpu::for_tests::{compute, gpu};
@@ -11,35 +11,17 @@ use crate::{Gpu, TargetFormat, Water};
 use glam::Vec3;
 use whitecap_scene::{Camera, Scene};
 use whitecap_waves::model::Surface;
-use whitecap_waves::model::sines::{SumOfSinesParameters, Taylor};
 use whitecap_waves::optics::classics::{BumpFrame, HIGHLIGHT_COLOR, ocean_water_pixel};
 
 #[test]
 fn rust_and_wgsl_agree_about_layout() {
     let wgsl = shader_lib::OCEAN_WATER.wgsl;
     assert_layout!(
-        GpuSineWaves,
-        wgsl,
-        "SineWaves",
-        [height, direction_x, direction_y, sine, cosine, stretch, slope_factor, mended_tangent]
-    );
-    assert_layout!(
         GpuOceanWater,
         wgsl,
         "GpuOceanWater",
-        [
-            waves,
-            centre_phases,
-            centre_bump_uv,
-            centre_from_eye,
-            unit_m,
-            highlight_color,
-            glow,
-            uv_per_m,
-            bumps_per_m,
-        ]
+        [sines, centre_bump_uv, centre_from_eye, glow, highlight_color, bumps_per_m,]
     );
-    assert_layout!(VertexInput, shader_lib::OCEAN_WATER_TWINS.wgsl, "VertexInput", [waves, phases, damp]);
     assert_layout!(
         PixelInput,
         shader_lib::OCEAN_WATER_TWINS.wgsl,
@@ -48,25 +30,7 @@ fn rust_and_wgsl_agree_about_layout() {
     );
 }
 
-#[repr(C)]
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-struct VertexInput {
-    waves: GpuSineWaves,
-    phases: [f32; 4],
-    damp: [f32; 4],
-}
-
-impl VertexInput {
-    fn new(sines: &SumOfSines, mended: bool, uv: DVec2, time_s: f64, damp: f32) -> VertexInput {
-        VertexInput {
-            waves: GpuSineWaves::new(sines.parameters(), mended),
-            phases: sines.phases(uv, time_s).map(|phase| phase as f32),
-            damp: [damp; 4],
-        }
-    }
-}
-
-/// Height and derivatives, binormal, tangent, normal.
+/// Position, binormal, tangent, normal.
 type VertexOutput = [[f32; 4]; 4];
 
 #[repr(C)]
@@ -92,87 +56,6 @@ fn close3(seen: [f32; 4], expected: DVec3, tolerance: f64) {
     for (seen, expected) in seen.into_iter().zip(expected.to_array()) {
         close(seen, expected, tolerance);
     }
-}
-
-fn printed() -> SumOfSines {
-    SumOfSines::new(SumOfSinesParameters::OCEAN_WATER).unwrap()
-}
-
-/// One wave of height 1 along u at a phase gives s and q; the printed constants give height, slopes and normal.
-#[test]
-fn golden_vertices() {
-    let Some(gpu) = gpu() else { return };
-    let mut one = SumOfSinesParameters::OCEAN_WATER;
-    for (i, wave) in one.waves.iter_mut().enumerate() {
-        wave.height = if i == 0 { 1.0 } else { 0.0 };
-        wave.offset_turns = 0.0;
-        wave.direction_per_uv = DVec2::X;
-    }
-    let one = SumOfSines::new(one).unwrap();
-    let series = [
-        (0.0, -0.081375, -0.976022),
-        (0.1, -0.666921, -0.799052),
-        (0.25, -1.017799, 0.031431),
-        (0.5, 0.062792, 0.998027),
-        (0.75, 1.018611, -0.094064),
-        (0.9, 0.568820, -0.866097),
-    ];
-    let inputs = series.map(|(f, ..)| VertexInput::new(&one, false, DVec2::new(f, 0.0), 0.0, 0.0));
-    let seen: Vec<VertexOutput> = compute(gpu, &shader_lib::OCEAN_WATER_TWINS, "cs_vertex", &inputs);
-    for ([surface, ..], (_, s, q)) in seen.into_iter().zip(series) {
-        close(surface[0], s, 1e-5);
-        close(surface[1], -q, 1e-5);
-    }
-
-    let goldens = [
-        ([0.0, 0.0, 0.0], [-106.35375, 12.20028, 1.34523], [0.036576, 0.004033, 0.999323]),
-        ([0.3, 0.7, 1.0], [-102.12166, -3.41076, -13.78677], [-0.010223, -0.041323, 0.999094]),
-        ([2.5, 1.25, 3.7], [-17.81397, -13.35977, 11.60173], [-0.040023, 0.034756, 0.998594]),
-    ];
-    let inputs = goldens.map(|([u, v, t], ..)| VertexInput::new(&printed(), false, DVec2::new(u, v), t, 0.0));
-    let seen: Vec<VertexOutput> = compute(gpu, &shader_lib::OCEAN_WATER_TWINS, "cs_vertex", &inputs);
-    for ([surface, _, _, normal], (_, heights, n)) in seen.into_iter().zip(goldens) {
-        // Heights of 100 in f32: 1e-5 of the largest.
-        close3(surface, heights.into(), 1e-3);
-        close3(normal, n.into(), 1e-5);
-    }
-}
-
-/// The whole vertex stage against its f64 twin, damped and not, printed and mended.
-#[test]
-fn vertices_equal_their_twins() {
-    let Some(gpu) = gpu() else { return };
-    let mended = SumOfSinesParameters { taylor: Taylor::Mended, ..SumOfSinesParameters::OCEAN_WATER };
-    for sines in [printed(), SumOfSines::new(mended).unwrap()] {
-        let cases: Vec<(DVec2, f64, f32)> = (0..200)
-            .map(f64::from)
-            .map(|i| (DVec2::new(0.37 * i - 20.0, 11.0 - 0.83 * i), 1.7 * i - 100.0, (i % 5.0) as f32 / 4.0))
-            .collect();
-        let inputs: Vec<VertexInput> =
-            cases.iter().map(|&(uv, t, damp)| VertexInput::new(&sines, false, uv, t, damp)).collect();
-        let seen: Vec<VertexOutput> = compute(gpu, &shader_lib::OCEAN_WATER_TWINS, "cs_vertex", &inputs);
-        for ([surface, binormal, tangent, normal], (uv, t, damp)) in seen.into_iter().zip(cases) {
-            let twin = sines.at_uv(uv, t, f64::from(damp));
-            close3(surface, DVec3::new(twin.height, twin.derivatives.x, twin.derivatives.y), 2e-3);
-            close3(binormal, twin.binormal, 1e-5);
-            close3(tangent, twin.tangent, 1e-5);
-            close3(normal, twin.normal, 1e-5);
-            if damp == 1.0 {
-                assert_eq!((surface[0], normal), (0.0, [0.0, 0.0, 1.0, 0.0]));
-            }
-        }
-    }
-}
-
-/// As printed, the tangent along v is tilted by the derivative along u; mended, it lies in the surface.
-#[test]
-fn the_mended_tangent_is_at_right_angles_to_the_normal() {
-    let Some(gpu) = gpu() else { return };
-    let uv = DVec2::new(0.3, 0.7);
-    let inputs = [false, true].map(|mended| VertexInput::new(&printed(), mended, uv, 1.0, 0.0));
-    let seen: Vec<VertexOutput> = compute(gpu, &shader_lib::OCEAN_WATER_TWINS, "cs_vertex", &inputs);
-    let off = seen.iter().map(|v| Vec3::from_slice(&v[2]).dot(Vec3::from_slice(&v[3]))).collect::<Vec<_>>();
-    assert!(off[0].abs() > 0.02 && off[1].abs() < 1e-6, "{off:?}");
 }
 
 fn pixel(first: [f32; 3], second: [f32; 3], toward_eye: [f32; 3]) -> PixelInput {
