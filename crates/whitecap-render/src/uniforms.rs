@@ -90,6 +90,8 @@ pub(crate) struct GpuSun {
     pub(crate) radius_rad: f32,
     pub(crate) display: [f32; 3],
     pub(crate) padding: u32,
+    pub(crate) skylight: [f32; 3],
+    pub(crate) end: u32,
 }
 
 /// A uniform per view in one buffer, chosen by dynamic offset, so that all views of a frame can be
@@ -314,6 +316,8 @@ fn upload_sun(device: &wgpu::Device, queue: &wgpu::Queue, environment: &Environm
         radius_rad: SUN_RADIUS_RAD,
         display: radiance.to_array().map(display_from_linear),
         padding: 0,
+        skylight: environment.skylight.to_array(),
+        end: 0,
     };
     let buffer = device.create_buffer(&wgpu::BufferDescriptor {
         label: Some("sun"),
@@ -345,6 +349,6 @@ mod tests {
                 clip_plane,
             ]
         );
-        assert_layout!(GpuSun, shader_lib::SKY.wgsl, "GpuSun", [toward, radius_rad, display]);
+        assert_layout!(GpuSun, shader_lib::SKY.wgsl, "GpuSun", [toward, radius_rad, display, skylight]);
     }
 }

@@ -38,6 +38,9 @@ pub struct Environment {
     pub sun: Option<Sun>,
     /// Light that falls on a level sea, sun and sky together, linear.
     pub irradiance: Vec3,
+    /// Mean radiance of the sky without the sun, weighted by its height, linear: what a level white surface in
+    /// the sun's shadow returns. Under a panorama, whose sun is not known apart, with it.
+    pub skylight: Vec3,
     /// Display brightness of the sky against a day's: 1 by day, less from sunset on. Colours that a scene
     /// gives as they look by day are dimmed by it.
     pub daylight: f32,
@@ -93,6 +96,7 @@ impl Environment {
             cube: CubeMap::bake(|d| expose(sky(d)), sun.as_ref(), 1),
             sun,
             irradiance: (from_sun + PI * air.mean_radiance()) * exposure,
+            skylight: air.mean_radiance() * exposure,
             daylight: display_from_linear(KEY * dimming) / display_from_linear(KEY),
         }
     }
@@ -104,7 +108,13 @@ impl Environment {
         let exposure = exposure(without_sun, settings.exposure_ev);
         // Two by two samples a texel: panoramas are finer than the cube, and the sun is small.
         let cube = CubeMap::bake(|d| expose(radiance(d) * exposure), None, 2);
-        Environment { cube, sun: None, irradiance: PI * all * exposure, daylight: 1.0 }
+        Environment {
+            cube,
+            sun: None,
+            irradiance: PI * all * exposure,
+            skylight: all * exposure,
+            daylight: 1.0,
+        }
     }
 }
 
