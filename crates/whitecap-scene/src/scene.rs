@@ -40,7 +40,7 @@ pub struct Scene {
     pub objects: Vec<Object>,
     /// The picture of a sky that is one, if the scene came from a file. It is not part of what the file says.
     pub panorama: Option<Arc<Panorama>>,
-    /// The objects with their meshes, if the scene came from a file. They are not part of what the file says.
+    /// The objects with their meshes, if there are any and the scene came from a file. They are not part of what the file says.
     pub models: Option<Vec<Model>>,
 }
 
@@ -94,7 +94,9 @@ impl Scene {
                     sky.load().map_err(|error| SceneError::about_key("sky.file", error.to_string()))?;
                 scene.panorama = Some(Arc::new(picture));
             }
-            scene.models = Some(scene.read_objects()?);
+            if !scene.objects.is_empty() {
+                scene.models = Some(scene.read_objects()?);
+            }
             Ok(())
         })
     }

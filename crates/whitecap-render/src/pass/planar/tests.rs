@@ -71,11 +71,11 @@ impl Map {
 }
 
 pub(crate) fn is_red(texel: &[u8; 4]) -> bool {
-    texel[0] > 40 && texel[2] < texel[0] / 2
+    texel[0] > 12 && texel[2] < texel[0] / 2
 }
 
 pub(crate) fn is_blue(texel: &[u8; 4]) -> bool {
-    texel[2] > 40 && texel[0] < texel[2] / 2
+    texel[2] > 12 && texel[0] < texel[2] / 2
 }
 
 /// Where a place of the world is on a map of this view, in pixels.

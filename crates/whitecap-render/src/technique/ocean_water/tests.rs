@@ -174,6 +174,7 @@ fn environment() -> &'static Environment {
             cube: crate::environment::CubeMap::bake(radiance, None, 1),
             sun: None,
             irradiance: Vec3::ONE,
+            skylight: Vec3::ONE,
             daylight: 1.0,
         }
     })
@@ -393,6 +394,7 @@ fn level_water_is_the_sum_that_the_text_gives() {
         cube: crate::environment::CubeMap::bake(|_| sky, None, 1),
         sun: None,
         irradiance: Vec3::ONE,
+        skylight: Vec3::ONE,
         daylight: 1.0,
     };
     for highlights in ["green-power", "glow-map"] {

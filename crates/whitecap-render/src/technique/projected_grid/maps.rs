@@ -171,6 +171,7 @@ impl MapPasses {
             pass.set_bind_group(0, &self.height_group, &offset);
             draw(&mut pass);
         }
+        frame.end_of_pass("height map");
         {
             let mut pass = begin(frame.encoder, "normal map", &normals.levels[0]);
             pass.set_pipeline(&self.normal_pipeline);
