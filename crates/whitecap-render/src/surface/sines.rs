@@ -55,6 +55,7 @@ mod tests {
     use crate::gpu::for_tests::{compute, gpu};
     use crate::shader_lib::{self, layout::assert_layout};
     use glam::{DVec3, Vec4};
+    use std::f32::consts::PI;
     use std::f64::consts::TAU;
     use whitecap_waves::model::sines::{SumOfSinesParameters, Taylor};
 
@@ -124,7 +125,7 @@ mod tests {
     #[test]
     fn golden_polynomials() {
         let golden = [
-            (0.0, -std::f32::consts::PI, -0.081375, -0.976022),
+            (0.0, -PI, -0.081375, -0.976022),
             (0.1, -2.500708, -0.666921, -0.799052),
             (0.25, -1.539380, -1.017799, 0.031431),
             (0.5, 0.062832, 0.062792, 0.998027),

@@ -20,9 +20,8 @@ words! {
     pub enum Taylor {
         /// With the text's constants, whose −0.16161616 and 1.02 belong together.
         Printed = "printed",
-        /// With the series' true coefficients, without the factor 1.02, and only within a quarter turn of 0, where
-        /// four terms suffice; from there they are mirrored. Crests and troughs are smooth and no wave jumps
-        /// where its period ends.
+        /// With the series' true coefficients, without the factor 1.02, and with arguments folded to within a
+        /// quarter turn of 0, where four terms suffice: true to 2e-4, and no wave jumps where its period ends.
         Mended = "mended",
     }
 }

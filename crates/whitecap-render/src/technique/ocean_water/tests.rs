@@ -20,7 +20,7 @@ fn rust_and_wgsl_agree_about_layout() {
         GpuOceanWater,
         wgsl,
         "GpuOceanWater",
-        [sines, centre_bump_uv, centre_from_eye, glow, highlight_color, bumps_per_m,]
+        [sines, centre_bump_uv, centre_from_eye, glow, highlight_color, bumps_per_m]
     );
     assert_layout!(
         PixelInput,
@@ -241,7 +241,14 @@ fn read_vertices(gpu: &Gpu, uniforms: &GpuOceanWater, places: &[[f32; 4]]) -> Ve
 /// What is drawn is the model, in the world's axes: near, 1,000 km away and after many days.
 #[test]
 fn drawn_vertices_are_the_model() {
-    with_technique(&scene(&[]), |gpu, technique| {
+    let mended = ("slope_factor = 0.003", "slope_factor = 0.003\ntaylor = \"mended\"");
+    for edits in [&[][..], &[mended]] {
+        drawn_vertices_are_the_model_of(&scene(edits));
+    }
+}
+
+fn drawn_vertices_are_the_model_of(scene: &Scene) {
+    with_technique(scene, |gpu, technique| {
         let eyes = [
             (DVec3::new(0.0, 7.0, 0.0), 0.0),
             (DVec3::new(5.3, 2.5, -71.9), 3.7),
