@@ -26,9 +26,27 @@ pub(crate) fn run() -> Result<()> {
             process::say(&path);
         }
     }
+    classics(&whitecap)?;
     process::say(
         "These pictures and docs/scene-files.md are new. Look at all of them before you commit them.",
     );
+    Ok(())
+}
+
+/// The contact sheet that the README shows: a scene of each classic technique.
+fn classics(whitecap: &Path) -> Result<()> {
+    const SHEET: &str = "docs/images/classics.png";
+    const SCENES: [&str; 6] =
+        ["ocean-water", "ocean-water-shore", "rippling-lake", "projected-grid", "meshuggah", "five-sample"];
+    let folder = Path::new("out").join("classics-for-docs");
+    std::fs::create_dir_all("out").context("cannot make the folder out")?;
+    let folder_name = folder.to_string_lossy();
+    let arguments =
+        [&["gallery", "-o", &folder_name, "--size", "640x360", "--runs", "0"], &SCENES[..]].concat();
+    product::ask(&mut product::command(whitecap, &arguments))?;
+    std::fs::copy(folder.join("contact-sheet.png"), SHEET)
+        .with_context(|| format!("cannot write {SHEET}"))?;
+    process::say(SHEET);
     Ok(())
 }
 
