@@ -41,6 +41,7 @@ mod registry;
 mod scene;
 pub mod sea;
 pub mod sky;
+mod surface;
 pub mod technique;
 
 pub use camera::Camera;
@@ -49,4 +50,5 @@ pub use registry::Registered;
 pub use scene::{Scene, open};
 pub use sea::Sea;
 pub use sky::Sky;
+pub use surface::SceneSurface;
 pub use technique::Technique;

@@ -38,8 +38,10 @@ fn answer_usage(usage: &clap::Error) -> ExitCode {
     // The arguments did not parse, so `--json` can only be looked for by hand.
     if usage.use_stderr() && std::env::args_os().any(|argument| argument == "--json") {
         let text = usage.render().to_string();
-        let sentence = text.lines().next().unwrap_or_default().trim_start_matches("error: ");
-        let _ = stdout::error_as_json(sentence);
+        // The first paragraph: clap lists what is missing on lines of their own.
+        let paragraph = text.lines().take_while(|line| !line.trim().is_empty()).map(str::trim);
+        let sentence = paragraph.collect::<Vec<_>>().join(" ");
+        let _ = stdout::error_as_json(sentence.trim_start_matches("error: "));
     }
     match usage.print().map_err(stdout::failure) {
         Err(failure) => report(&failure, false),

@@ -5,8 +5,8 @@ use crate::shader_lib;
 use crate::uniforms::{MAX_VIEWS, Role, Shared, ViewSlots};
 use crate::{RenderError, TargetFormat, View};
 use glam::{DAffine3, Mat4};
-use whitecap_scene::Scene;
 use whitecap_scene::object::Model;
+use whitecap_scene::{Scene, SceneSurface};
 use whitecap_waves::model::Surface;
 
 /// Layout twin of `GpuObject` in `objects.wesl`.
@@ -34,7 +34,7 @@ pub(crate) struct Objects {
     layout: wgpu::BindGroupLayout,
     group: wgpu::BindGroup,
     /// What carries those that float; `None` where nothing does.
-    surface: Option<whitecap_scene::sea::SeaSurface>,
+    surface: Option<SceneSurface>,
 }
 
 struct Drawn {
@@ -52,7 +52,7 @@ impl Objects {
     ) -> Result<Self, RenderError> {
         let models = scene.read_objects()?;
         let floats = models.iter().any(|model| model.object.floats);
-        let surface = if floats { Some(scene.sea.build(scene.seed)?) } else { None };
+        let surface = if floats { Some(scene.surface()?) } else { None };
         Ok(Objects::of_models(device, queue, models, surface))
     }
 
@@ -61,7 +61,7 @@ impl Objects {
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         models: Vec<Model>,
-        surface: Option<whitecap_scene::sea::SeaSurface>,
+        surface: Option<SceneSurface>,
     ) -> Self {
         let drawn: Vec<Drawn> = models.into_iter().map(|model| Drawn::new(device, queue, model)).collect();
         let slots = ViewSlots::with_slots(device, "objects", MAX_VIEWS * drawn.len());
@@ -80,7 +80,7 @@ impl Objects {
     /// Puts every object where it is at `time_s`, as each view sees it.
     pub(crate) fn prepare(&self, queue: &wgpu::Queue, views: &[View], time_s: f64) {
         let calm = whitecap_waves::model::Calm;
-        let surface: &dyn Surface = self.surface.as_ref().map_or(&calm, |surface| &**surface);
+        let surface: &dyn Surface = self.surface.as_ref().map_or(&calm, |surface| surface);
         for (i, drawn) in self.drawn.iter().enumerate() {
             let world_from_mesh = drawn.model.object.world_from_mesh(surface, time_s);
             for (v, view) in views.iter().enumerate() {

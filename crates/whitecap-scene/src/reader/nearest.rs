@@ -10,7 +10,12 @@ pub(crate) fn did_you_mean(found: &str, accepted: &[&str]) -> String {
         return String::new();
     }
     let found = found.to_lowercase();
-    let like = |word: &&&str| strsim::jaro_winkler(&found, word);
+    // A name may be given with more in front than the file wants: "five-sample-01-blinn-phong".
+    let tails = || found.match_indices('-').map(|(at, _)| &found[at + 1..]).filter(|tail| tail.len() > 3);
+    let like = |word: &&&str| {
+        let whole = strsim::jaro_winkler(&found, word);
+        tails().map(|tail| strsim::jaro_winkler(tail, word)).fold(whole, f64::max)
+    };
     accepted
         .iter()
         .filter(|word| like(word) >= LIKENESS)

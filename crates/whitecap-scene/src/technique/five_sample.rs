@@ -166,6 +166,8 @@ mod tests {
     fn a_stage_that_does_not_exist_names_those_that_do() {
         let error = read("variant = \"01-blin-phong\"").unwrap_err();
         assert!(error.contains("did you mean \"01-blinn-phong\""), "{error}");
+        let error_of_scenes_name = read("variant = \"five-sample-01-blinn-fong\"").unwrap_err();
+        assert!(error_of_scenes_name.contains("did you mean \"01-blinn-phong\""), "{error_of_scenes_name}");
         assert!(error.contains("\"08-fresnel-fifth-layer\"") && error.contains("\"final\""), "{error}");
     }
 

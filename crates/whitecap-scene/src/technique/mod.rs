@@ -8,7 +8,7 @@ mod rippling_lake;
 
 pub use five_sample::{FiveSample, Variant};
 pub use meshuggah::{FresnelForm, Meshuggah, WaterColor};
-pub use ocean_water::{Highlights, OceanWater, Tangent};
+pub use ocean_water::{Highlights, OceanWater, Tangent, shore_damping};
 pub use projected_grid::{Normals, OffsetAxes, Pairing, ProjectedGrid, RefractedColor};
 pub use rippling_lake::{RipplingLake, SwapUv};
 

@@ -94,6 +94,12 @@ table! {
 const COLOUR: Colour = Colour { unit: "", min: 0.0, max: 1.0 };
 const SCROLL: Pair = Pair { unit: "1/s", min: -10.0, max: 10.0 };
 
+/// v5.x over ground that lies `depth_m` under the level (`None` where there is none): 0 for full waves, from
+/// `shore_depth_m` on; 1 for none, at the waterline and on land; linear between.
+pub fn shore_damping(depth_m: Option<f64>, shore_depth_m: f64) -> f64 {
+    depth_m.map_or(0.0, |depth_m| 1.0 - (depth_m / shore_depth_m).clamp(0.0, 1.0))
+}
+
 impl Default for OceanWater {
     /// The settings of an empty `[ocean-water]` table.
     fn default() -> Self {

@@ -34,7 +34,7 @@ pub(crate) struct Bench {
     size: Size,
 
     /// How many frames to draw of each scene: 1 to 1000
-    #[arg(long, value_name = "N", default_value = "9", value_parser = clap::value_parser!(u16).range(1..=1000))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, default_value = "9", value_parser = clap::value_parser!(u16).range(1..=1000))]
     runs: u16,
 
     /// Part of the name, backend or driver of the adapter to draw with [default: the fastest kind]

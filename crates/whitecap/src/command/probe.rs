@@ -11,7 +11,8 @@ use std::io::Write as _;
 use std::process::ExitCode;
 use whitecap_scene::object::rest_under;
 use whitecap_scene::sea::SeaSurface;
-use whitecap_scene::{Scene, named, technique};
+use whitecap_scene::{Scene, SceneSurface, named, technique};
+use whitecap_waves::model::Surface;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -21,8 +22,8 @@ Examples:
   whitecap probe ocean-water --uv 0.3,0.7 --time 1      in the text's own units
 
 The numbers are those of the sea that moves the technique's surface, in 64 bits and without a graphics \
-adapter: the height over a place is the one that a floating object there would have. x is east, y up, z south. \
-Ripples that are only drawn, as by a normal map, do not count. --uv answers in the units and axes of the text, \
+adapter: the height over a place is the one that a floating object there has, calmed towards a shore where the \
+technique calms it. x is east, y up, z south. Ripples that are only drawn, as by a normal map, do not count. --uv answers in the units and axes of the text, \
 z up.";
 
 /// Print height and normal of a scene's surface at given places
@@ -59,11 +60,13 @@ pub(crate) struct Probe {
 
 impl Probe {
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
-        let scene = whitecap_scene::open(&self.scene)?;
-        let sea = scene.sea.build(self.seed.unwrap_or(scene.seed))?;
-        let in_world: Vec<InWorld> = self.at.iter().map(|&place| in_world(&sea, place, self.time)).collect();
-        let in_text = self.in_text(&scene, &sea)?;
-        if let SeaSurface::Calm(_) = sea {
+        let mut scene = whitecap_scene::open(&self.scene)?;
+        scene.seed = self.seed.unwrap_or(scene.seed);
+        let surface = scene.surface()?;
+        let in_world: Vec<InWorld> =
+            self.at.iter().map(|&place| in_world(&surface, place, self.time)).collect();
+        let in_text = self.in_text(&scene, surface.sea())?;
+        if let SeaSurface::Calm(_) = surface.sea() {
             // Nobody is left to tell if standard error is closed.
             let _ = writeln!(
                 std::io::stderr(),
@@ -139,8 +142,8 @@ struct InText {
     normal: [f64; 3],
 }
 
-fn in_world(sea: &SeaSurface, [x_m, z_m]: Place, time_s: f64) -> InWorld {
-    let point = sea.sample(rest_under(&**sea, DVec2::new(x_m, z_m), time_s), time_s);
+fn in_world(surface: &SceneSurface, [x_m, z_m]: Place, time_s: f64) -> InWorld {
+    let point = surface.sample(rest_under(surface, DVec2::new(x_m, z_m), time_s), time_s);
     let displacement_m = array(point.displacement_m);
     InWorld { x_m, z_m, time_s, height_m: displacement_m[1], displacement_m, normal: array(point.normal) }
 }

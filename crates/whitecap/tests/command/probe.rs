@@ -147,3 +147,13 @@ fn a_scene_that_is_not_there_is_refused() {
     let assert = whitecap(folder.path()).args(["probe", "absent.toml", "--at", "0,0"]).assert().code(2);
     assert!(sentence(&assert).starts_with("absent.toml: "), "{}", stderr(&assert));
 }
+
+/// Where the ground calms the waves, the answer is calm too: nothing rides over the island.
+#[test]
+fn a_shore_calms_what_is_asked_there() {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = ["probe", "ocean-water-shore", "--at=0,0", "--at=900,900", "--time=3.7", "--json"];
+    let answer = json(&whitecap(folder.path()).args(arguments).assert().success());
+    assert_eq!(answer[0]["height_m"], 0.0);
+    assert_ne!(answer[1]["height_m"], 0.0);
+}

@@ -84,7 +84,8 @@ impl Later {
             nothing: nothing.create_view(&Default::default()),
             sampler: linear_sampler(device, "planar", wgpu::AddressMode::ClampToEdge),
             mirror: settings.reflected_geometry.then(|| planar(Role::Mirror)),
-            bottom: settings.depth_fog.then(|| planar(Role::Refraction)),
+            // Where water draws back, the bare ground is seen too.
+            bottom: (settings.depth_fog || settings.waves_meet_land).then(|| planar(Role::Refraction)),
             groups: Vec::new(),
         })
     }

@@ -385,6 +385,26 @@ fn water_is_where_it_should_be_for_every_camera() {
     }
 }
 
+/// Round the island, where water draws back from the shore and the ground may slope away behind it.
+#[test]
+fn no_hole_opens_along_the_shore() {
+    let Some(gpu) = gpu() else { return };
+    let mut water = water(gpu, scene_named("five-sample-island"));
+    for camera in 0..24 {
+        let azimuth = std::f64::consts::TAU * f64::from(camera) / 24.0;
+        let eye = DVec3::new(66.0 * azimuth.sin(), 1.5 + f64::from(camera % 5), 66.0 * azimuth.cos());
+        let beside = DVec3::new(-35.0 * azimuth.cos(), 0.0, 35.0 * azimuth.sin());
+        let view = look(eye, (beside - eye).normalize());
+        let pixels = draw(gpu, &mut water, view, 3.7 + f64::from(camera), false);
+        for (i, pixel) in pixels.chunks(4).enumerate() {
+            let (x, y) = (i as u32 % SIZE[0], i as u32 / SIZE[0]);
+            let up = ray(&view, x, y).y;
+            let nothing = pixel[..3] == [255, 0, 255];
+            assert!(!nothing || up > -0.5 * view.pixel_angle_rad(), "camera {camera}: a hole at ({x}, {y})");
+        }
+    }
+}
+
 fn picture(gpu: &Gpu, toml: &str, time_s: f64) -> Vec<u8> {
     let scene = Scene::from_toml(toml, "test.toml").unwrap_or_else(|error| panic!("{error}"));
     let request = PictureRequest { width: 96, height: 54, time_s };

@@ -5,6 +5,7 @@
 
 use glam::DVec2;
 use whitecap_scene::mesh::Ground;
+use whitecap_scene::technique::shore_damping;
 
 /// Of the grid's half width: from where on waves are lower, and from where on there are none. The rest is a
 /// margin for the grid's steps.
@@ -32,7 +33,7 @@ impl Damping<'_> {
     /// Linear in the depth, up to all of it at the waterline.
     fn of_shore(&self, place: DVec2) -> f64 {
         let depth_m = self.ground.and_then(|ground| ground.depth_m(place.x, place.y));
-        depth_m.map_or(0.0, |depth_m| 1.0 - (depth_m / self.shore_depth_m).clamp(0.0, 1.0))
+        shore_damping(depth_m, self.shore_depth_m)
     }
 
     fn of_distance(&self, place: DVec2) -> f64 {

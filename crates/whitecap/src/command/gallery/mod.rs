@@ -57,7 +57,7 @@ pub(crate) struct Gallery {
     time: f64,
 
     /// How many frames to time the passes by: 0 to 1000; 0 times none
-    #[arg(long, value_name = "N", default_value = "3", value_parser = clap::value_parser!(u16).range(0..=1000))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, default_value = "3", value_parser = clap::value_parser!(u16).range(0..=1000))]
     runs: u16,
 
     /// Width and height in pixels of the frames that are timed
