@@ -235,7 +235,8 @@ fn what_cannot_be_read_is_said_in_a_sentence() {
         ),
         ("\"scene\": 0", "\"scene\": 5", "scene 5: there is no such scene"),
         ("\"nodes\": [0]", "\"nodes\": [9]", "node 9: there is no such node"),
-        ("\"nodes\": [0]", "\"nodes\": []", "no triangles in its scene"),
+        ("\"nodes\": [0]", "\"nodes\": []", "no triangles of any size in its scene"),
+        ("{\"mesh\": 0}", "{\"mesh\": 0, \"scale\": [0, 0, 0]}", "no triangles of any size in its scene"),
         ("{\"mesh\": 0}", "{\"mesh\": 7}", "mesh 7: there is no such mesh"),
         (
             "{\"mesh\": 0}",

@@ -91,7 +91,7 @@ pub enum MeshProblem {
     Extension(String),
 
     /// The scene shows nothing.
-    #[error("no triangles in its scene")]
+    #[error("no triangles of any size in its scene")]
     NoTriangles,
 }
 

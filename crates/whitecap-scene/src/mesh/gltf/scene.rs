@@ -42,7 +42,9 @@ pub(super) fn flatten(root: &Root, buffers: &[Cow<'_, [u8]>]) -> Result<Mesh, Me
         let children = node.children.iter().flatten().rev();
         open.extend(children.map(|child| (child.value(), world_from_node)));
     }
-    if mesh.indices.is_empty() { Err(MeshProblem::NoTriangles) } else { Ok(mesh) }
+    // A node scaled to nothing would be drawn as nothing, and nobody would know why.
+    let is_a_point = mesh.bounds().is_none_or(|[low, high]| low == high);
+    if mesh.indices.is_empty() || is_a_point { Err(MeshProblem::NoTriangles) } else { Ok(mesh) }
 }
 
 /// The roots of the default scene: the one that the file names, or else the first, or else all nodes that are no
