@@ -56,7 +56,7 @@ fn map_of(side: u32, texel: impl Fn(DVec2) -> [f64; 4]) -> wgpu::TextureView {
     texture.create_view(&Default::default())
 }
 
-/// The water alone at time 0, display-referred; nothing of it is magenta.
+/// The water alone at time 0 over magenta, display-referred.
 fn drawn(
     edit: impl Fn(&mut Scene),
     models: Vec<Model>,
