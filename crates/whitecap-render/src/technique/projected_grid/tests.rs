@@ -13,6 +13,8 @@ use whitecap_waves::model::Surface;
 use whitecap_waves::optics::classics::{mirrored_coordinates, sun_glint};
 use whitecap_waves::optics::fresnel_exact;
 
+mod pixels;
+
 #[test]
 fn rust_and_wgsl_agree_about_layout() {
     assert_layout!(
@@ -164,6 +166,36 @@ fn the_coherent_height_map_is_the_model() {
             assert!((drawn - model).abs() < bound_m, "({column}, {row}): {drawn} for {model}");
         }
     }
+}
+
+/// Coherent pairing: as far as a texel of the map spans about 1.4 of the short waves' texels, a bias of one level
+/// still reads the finest one, so that the height map holds the heights of the model.
+#[test]
+fn the_bias_keeps_the_finest_noise_half_a_level_further() {
+    let eye_m = DVec3::new(3.0, 2.0, 5.0);
+    let Some(fixture) = fixture(coherent, eye_m, 7.7) else { return };
+    let heights = height_map(&fixture);
+    let uniforms = GpuMaps::new(&fixture.technique.settings, &fixture.technique.noise, &fixture.grid, eye_m);
+    let texels_per_m = f64::from(uniforms.chunks_per_m[1]) * fixture.technique.noise.chunk_size() as f64;
+    let mut compared = 0;
+    for row in 0..1024 {
+        for column in (3..512).step_by(7) {
+            let (u, v) = ((f64::from(column) + 0.5) / 512.0, (f64::from(row) + 0.5) / 1024.0);
+            let at = in_mesh(&fixture.grid, u, v);
+            let across_m = in_mesh(&fixture.grid, u + 1.0 / 512.0, v).distance(at);
+            let down_m = in_mesh(&fixture.grid, u, v + 1.0 / 1024.0).distance(at);
+            let level = (texels_per_m * across_m.max(down_m)).log2();
+            if !(0.4..0.7).contains(&level) {
+                continue;
+            }
+            let rest = DVec2::new(eye_m.x, eye_m.z) + at;
+            let model = fixture.technique.noise.sample(rest, fixture.time_s).displacement_m.y;
+            let drawn = f64::from(heights[row as usize * 512 + column as usize] * uniforms.amplitude_m);
+            assert!((drawn - model).abs() < 4e-4, "({column}, {row}), level {level}: {drawn} for {model}");
+            compared += 1;
+        }
+    }
+    assert!(compared > 100, "{compared} texels of that level");
 }
 
 /// The level under a place of the mesh: linear in the triangle that it lies in.
