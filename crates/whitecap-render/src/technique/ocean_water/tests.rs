@@ -559,7 +559,7 @@ fn what_is_drawn_near_by_is_what_the_model_says() {
         let pixels = frame(gpu, &mut water, view, time_s);
         let (off, contrast) = off_the_model(&scene, &view, time_s, &pixels, &levels[0]);
         assert!(contrast > 4.0, "there are no ripples to compare: {contrast}");
-        assert!(off < 1.5, "{off} steps off the model, of a contrast of {contrast}");
+        assert!(off < 2.5, "{off} steps off the model, of a contrast of {contrast}");
     }
 }
 
