@@ -544,3 +544,55 @@ fn only_the_plane_differs_between_the_first_two_stages() {
     assert!(coarse.is_coarse && !gridded.is_coarse);
     assert!(coarse.map == gridded.map && coarse.stage == gridded.stage);
 }
+
+fn in_five_sample(toml: &str, lines: &str) -> String {
+    toml.replace("[five-sample]", &format!("[five-sample]\n{lines}"))
+}
+
+/// However clear the water: where nothing was drawn under it, it keeps its own colour.
+#[test]
+fn clear_water_without_a_bottom_is_the_open_sea() {
+    let Some(gpu) = gpu() else { return };
+    let base = scene_named("five-sample");
+    let clear = in_five_sample(base, "depth_fog = true\nextinction_per_m = [0.0, 0.0, 0.0]");
+    let (before, after) = (picture(gpu, base, 2.0), picture(gpu, &clear, 2.0));
+    let largest = before.iter().zip(&after).map(|(a, b)| a.abs_diff(*b)).max().unwrap();
+    assert!(largest <= 1, "{largest}");
+}
+
+/// Beer and Lambert's law: of the bottom's difference from the water's own colour, e^(−k·path) is left, and the
+/// path goes down with the bent sunlight and up with the bent ray.
+#[test]
+fn the_bottom_fades_with_the_path_of_the_light() {
+    let Some(gpu) = gpu() else { return };
+    let calm = scene_named("five-sample-island")
+        .replace("reflected_geometry = true\nwaves_meet_land = true", "wave_strength = 0.0");
+    let with = |k: f64| in_five_sample(&calm, &format!("extinction_per_m = [{k:?}, {k:?}, {k:?}]"));
+    let scene = Scene::from_toml(&calm, "test.toml").unwrap();
+    let ground = whitecap_scene::object::ground(&scene.read_objects().unwrap()).unwrap();
+    let toward_sun = crate::environment::Environment::new(&scene).unwrap().sun.unwrap().toward.as_dvec3();
+    // In water the sine of the angle from the vertical is 1.333 times less.
+    let cosine_below = |cosine_above: f64| (1.0 - (1.0 - cosine_above.powi(2)) / 1.333_f64.powi(2)).sqrt();
+    let k = 0.25;
+    let mut waters = [0.0, k, 100.0].map(|k| water(gpu, &with(k)));
+    let eye = DVec3::new(0.0, 20.0, 62.0);
+    let view = look(eye, DVec3::new(0.0, -1.0, -0.7).normalize());
+    let [clear, seen, murky] = waters.each_mut().map(|water| draw(gpu, water, view, 0.0, false));
+    let (mut compared, mut off) = (0, 0.0);
+    for i in 0..clear.len() / 4 {
+        let ray = ray(&view, i as u32 % SIZE[0], i as u32 / SIZE[0]).as_dvec3();
+        let place = eye + ray * (eye.y / -ray.y);
+        let Some(depth_m) = ground.depth_m(place.x, place.z).filter(|depth| *depth > 0.3) else { continue };
+        // Red differs most.
+        let [clear, seen, murky] = [&clear, &seen, &murky].map(|pixels| f64::from(pixels[4 * i]));
+        if clear - murky < 40.0 || clear == 255.0 {
+            continue;
+        }
+        let path_m = depth_m * (1.0 / cosine_below(toward_sun.y) + 1.0 / cosine_below(-ray.y));
+        off += ((seen - murky) / (clear - murky) - (-k * path_m).exp()).abs();
+        compared += 1;
+    }
+    assert!(compared > 200, "the bottom is seen by {compared} pixels only");
+    let off = off / f64::from(compared);
+    assert!(off < 0.02, "the light that is left is off by {off}");
+}

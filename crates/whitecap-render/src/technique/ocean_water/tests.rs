@@ -8,7 +8,7 @@ use crate::pass::Objects;
 use crate::shader_lib::{self, layout::assert_layout};
 use crate::uniforms::Shared;
 use crate::{Gpu, TargetFormat, Water};
-use glam::Vec3;
+use glam::{Vec3, Vec3Swizzles};
 use whitecap_scene::{Camera, Scene};
 use whitecap_waves::model::Surface;
 use whitecap_waves::optics::classics::{BumpFrame, HIGHLIGHT_COLOR, ocean_water_pixel};
@@ -170,14 +170,18 @@ fn environment() -> &'static Environment {
                 Vec3::new(0.2, 0.3, 0.4) * (1.0 + 0.5 * d.z)
             }
         };
-        Environment {
-            cube: crate::environment::CubeMap::bake(radiance, None, 1),
-            sun: None,
-            irradiance: Vec3::ONE,
-            skylight: Vec3::ONE,
-            daylight: 1.0,
-        }
+        environment_of(radiance)
     })
+}
+
+fn environment_of(radiance: impl Fn(Vec3) -> Vec3 + Sync) -> Environment {
+    Environment {
+        cube: crate::environment::CubeMap::bake(radiance, None, 1),
+        sun: None,
+        irradiance: Vec3::ONE,
+        skylight: Vec3::ONE,
+        daylight: 1.0,
+    }
 }
 
 fn view_of(eye_m: DVec3, toward: DVec3, size_px: [u32; 2]) -> View {
@@ -397,13 +401,7 @@ fn water_is_where_it_should_be_for_every_camera() {
 fn level_water_is_the_sum_that_the_text_gives() {
     let Some(gpu) = gpu() else { return };
     let sky = Vec3::new(0.4, 0.6, 5.0);
-    let even = Environment {
-        cube: crate::environment::CubeMap::bake(|_| sky, None, 1),
-        sun: None,
-        irradiance: Vec3::ONE,
-        skylight: Vec3::ONE,
-        daylight: 1.0,
-    };
+    let even = environment_of(|_| sky);
     for highlights in ["green-power", "glow-map"] {
         let mut scene = scene(&[
             ("bump_steepness = 0.35", "bump_steepness = 0.0"),
@@ -452,7 +450,7 @@ fn no_setting_is_without_effect() {
         ("seed = 11", "seed = 12"),
         ("unit_m = 0.01", "unit_m = 0.012"),
         ("slope_factor = 0.003", "slope_factor = 0.006"),
-        ("slope_factor = 0.003", "slope_factor = 0.003\nuv_size_m = 30.0"),
+        ("slope_factor = 0.003", "slope_factor = 0.003\nuv_size_m = 300.0"),
         ("slope_factor = 0.003", "slope_factor = 0.003\ntaylor = \"mended\""),
         ("bump_steepness = 0.35", "bump_steepness = 0.3"),
         ("bump_repeats = 1.5", "bump_repeats = 2.0"),
@@ -475,4 +473,113 @@ fn no_setting_is_without_effect() {
     for change in changes {
         assert_ne!(render(&[change]), before, "{} changes nothing", change.1);
     }
+}
+
+/// Brighter to the east, and less so to the south. Green makes the sparkles, which tell a reflection's direction.
+fn slanted_sky(direction: Vec3) -> Vec3 {
+    let display = 0.65 + 0.4 * direction.x + 0.15 * direction.z;
+    Vec3::splat(crate::environment::linear_from_display(display.clamp(0.0, 1.0)))
+}
+
+/// A level of the bump map at a place in the whole map's units, bilinear.
+fn bump_texel(level: &[[u8; 4]], place: DVec2) -> DVec3 {
+    let size = level.len().isqrt();
+    let texel = |u: f64, v: f64| {
+        let [u, v] = [u, v].map(|c| (c as i64).rem_euclid(size as i64) as usize);
+        DVec3::from([0, 1, 2].map(|c| f64::from(level[v * size + u][c]) / 255.0))
+    };
+    let at = place * size as f64 - 0.5;
+    let corner = at.floor();
+    let within = at - corner;
+    let row = |v: f64| texel(corner.x, v).lerp(texel(corner.x + 1.0, v), within.x);
+    row(corner.y).lerp(row(corner.y + 1.0), within.y)
+}
+
+/// How far a picture of level water is from the model that reads this level of the bump map, mean of absolute
+/// differences in steps of 255, and how far its own pixels are from their mean.
+fn off_the_model(scene: &Scene, view: &View, time_s: f64, pixels: &[u8], level: &[[u8; 4]]) -> (f64, f64) {
+    let whitecap_scene::Technique::OceanWater(settings) = &scene.technique else { panic!() };
+    let SeaSurface::Sines(sines) = scene.sea.build(scene.seed).unwrap() else { panic!() };
+    let ([u0, v0], [u1, v1]) = (settings.first_scroll_per_s, settings.second_scroll_per_s);
+    let gradient = artwork::gradient(settings);
+    let sky = |d: DVec3| {
+        let linear = slanted_sky(d.as_vec3().normalize().xzy());
+        linear.to_array().map(|c| f64::from(crate::environment::display_from_linear(c)))
+    };
+    let water = |address: f64| {
+        let texel = gradient[(address * (gradient.len() - 1) as f64).round() as usize];
+        [0, 1, 2].map(|c| f64::from(texel[c]) / 255.0)
+    };
+    let level_frame = BumpFrame { binormal: DVec3::X, tangent: DVec3::Y, normal: DVec3::Z };
+    let world_from_clip = view.clip_from_eye_world().inverse();
+    let [width, height] = view.size_px;
+    let count = f64::from(width * height);
+    let mean = pixels.chunks(4).map(|pixel| f64::from(pixel[1])).sum::<f64>() / count;
+    let (mut off, mut contrast) = (0.0, 0.0);
+    for (i, pixel) in pixels.chunks(4).enumerate() {
+        let (x, y) = (i as u32 % width, i as u32 / width);
+        let ndc_x = (x as f32 + 0.5) / width as f32 * 2.0 - 1.0;
+        let ndc_y = 1.0 - (y as f32 + 0.5) / height as f32 * 2.0;
+        let ray = world_from_clip.project_point3(Vec3::new(ndc_x, ndc_y, 0.5)).as_dvec3().normalize();
+        let place = view.eye_m + ray * (view.eye_m.y / -ray.y);
+        let uv = sines.uv(DVec2::new(place.x, place.z)) * settings.bump_repeats;
+        let [first, second] =
+            bump_coordinates(uv, time_s, [u0, v0, u1, v1]).map(|place| bump_texel(level, place).to_array());
+        let twin = ocean_water_pixel(first, second, -ray.xzy(), &level_frame, sky, water);
+
+        off += (f64::from(pixel[1]) - 255.0 * twin.color.y).abs() / count;
+        contrast += (f64::from(pixel[1]) - mean).abs() / count;
+    }
+    (off, contrast)
+}
+
+/// Level water under two bump maps, so large that the mesh is fine beside them: the view vector comes from vertices.
+fn rippled_scene() -> Scene {
+    scene(&[
+        ("slope_factor = 0.003", "slope_factor = 0.0\nuv_size_m = 300.0"),
+        ("unit_m = 0.01", "unit_m = 1e-6"),
+    ])
+}
+
+/// So near that a texel covers several pixels, the picture is the model's: both maps at their places, the second
+/// one turned over, and x of the bump along the binormal.
+#[test]
+fn what_is_drawn_near_by_is_what_the_model_says() {
+    let Some(gpu) = gpu() else { return };
+    let scene = rippled_scene();
+    let environment = environment_of(slanted_sky);
+    let mut water = water(gpu, &scene, &environment);
+    let whitecap_scene::Technique::OceanWater(settings) = &scene.technique else { panic!() };
+    let levels = artwork::bump_levels(settings, scene.seed).unwrap();
+    for (eye, toward, time_s) in [
+        (DVec3::new(3.1, 15.0, -8.3), DVec3::NEG_Y, 3.7),
+        (DVec3::new(-7.0, 15.0, 20.3), DVec3::new(0.3, -1.0, 0.2).normalize(), 40.0),
+    ] {
+        let view = view_of(eye, toward, [48, 27]);
+        let pixels = frame(gpu, &mut water, view, time_s);
+        let (off, contrast) = off_the_model(&scene, &view, time_s, &pixels, &levels[0]);
+        assert!(contrast > 4.0, "there are no ripples to compare: {contrast}");
+        assert!(off < 2.5, "{off} steps off the model, of a contrast of {contrast}");
+    }
+}
+
+/// Where a pixel covers four texels, the level of four texels is 2 and the text's bias makes it 1.
+#[test]
+fn the_bump_maps_are_read_one_level_finer() {
+    let Some(gpu) = gpu() else { return };
+    let scene = rippled_scene();
+    let environment = environment_of(slanted_sky);
+    let mut water = water(gpu, &scene, &environment);
+    let whitecap_scene::Technique::OceanWater(settings) = &scene.technique else { panic!() };
+    let levels = artwork::bump_levels(settings, scene.seed).unwrap();
+    let size = [48, 27];
+    let texel_m = 300.0 / settings.bump_repeats / f64::from(settings.bump_resolution);
+    // Straight down every pixel covers the same square of water.
+    let height_m = 4.0 * texel_m * f64::from(size[1]) / (2.0 * f64::to_radians(25.0).tan());
+    let view = view_of(DVec3::new(3.1, height_m, -8.3), DVec3::NEG_Y, size);
+    let pixels = frame(gpu, &mut water, view, 3.7);
+    let off: Vec<f64> =
+        levels[..5].iter().map(|level| off_the_model(&scene, &view, 3.7, &pixels, level).0).collect();
+    let nearest = (0..off.len()).min_by(|&a, &b| off[a].total_cmp(&off[b]));
+    assert_eq!(nearest, Some(1), "off the levels by {off:?}");
 }
