@@ -144,17 +144,7 @@ impl Scene {
         table.only(Self::keys().iter().map(|key| key.key).chain(Self::tables()))?;
         let technique = Technique::read(table)?;
         let sea_table = table.table("sea")?;
-        let sea = Sea::read(&sea_table, technique.sea_models())?;
-        if !technique.sea_models().contains(&sea.model.word()) {
-            return Err(sea_table.error(
-                Some("model"),
-                format!(
-                    "not a sea that technique = \"{}\" draws; accepted: {}",
-                    technique.word(),
-                    quoted_list(technique.sea_models())
-                ),
-            ));
-        }
+        let sea = Sea::read(&sea_table, &technique)?;
         Ok(Self {
             seed: table.read("seed", &SEED)?,
             sky: Sky::read(&table.table("sky")?)?,

@@ -183,8 +183,8 @@ fn unknown_words() {
 fn a_sea_of_another_technique() {
     assert_eq!(
         message("tile_size_m", "model = \"perlin\""),
-        "storm.toml:6: sea.resolution: only with model = \"spectral\", but here model = \"perlin\"; \
-         accepted here: falloff, frames_per_s, model, octave_size, octave_speedup, scale_per_m, strength_m"
+        "storm.toml:5: sea.model = \"perlin\": not a sea that technique = \"meshuggah\" draws; \
+         accepted: \"spectral\""
     );
     let text = "technique = \"ocean-water\"\n[sea]\nmodel = \"perlin\"\n";
     assert_eq!(
@@ -192,6 +192,9 @@ fn a_sea_of_another_technique() {
         "storm.toml:3: sea.model = \"perlin\": not a sea that technique = \"ocean-water\" draws; \
          accepted: \"sines\""
     );
+    // Before its settings are missed, which would not help.
+    let text = "technique = \"ocean-water\"\n[sea]\nmodel = \"spectral\"\n";
+    assert!(message_for(text).starts_with("storm.toml:3: sea.model = \"spectral\": not a sea that"));
     let text = "technique = \"ocean-water\"\n[[sea.wave]]\nheight = 3\n";
     assert_eq!(message_for(text), "storm.toml:2: sea.wave: found 1; accepted: 4 tables [[sea.wave]]");
 }

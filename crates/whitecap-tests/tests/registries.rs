@@ -5,7 +5,7 @@
 use glam::{DVec2, DVec3};
 use whitecap_scene::sea::SeaSurface;
 use whitecap_scene::{named, sea, sky, technique};
-use whitecap_waves::model::TileFields;
+use whitecap_waves::model::{Surface, TileFields};
 use whitecap_waves::statistics::{significant_height_m, variance};
 
 /// Skies that need a file from outside; `crates/whitecap-scene/tests` and the environment's own tests cover them.
@@ -59,13 +59,13 @@ fn every_named_scenes_sea_keeps_the_models_promises() {
     }
 }
 
-/// What every surface promises, tile or not: it depends on its place and the time alone, its slopes are those of
-/// its heights, and it trembles neither far from the origin nor long after the start.
+/// What every surface promises, tile or not, its shores included: it depends on its place and the time alone, and
+/// trembles neither far from the origin nor long after the start.
 #[test]
 fn every_named_scenes_surface_keeps_its_promises() {
     for named in named::ALL {
         let scene = whitecap_scene::open(named.name).unwrap();
-        let surface = scene.sea.build(scene.seed).unwrap();
+        let surface = scene.surface().unwrap();
         let hs_m = significant_height_m(surface.variance_m2());
         for time_s in [0.0, 3.7, -4_321.5, 1e6] {
             for far_m in [0.0, 1e6] {

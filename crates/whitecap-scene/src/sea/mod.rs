@@ -18,8 +18,9 @@ pub use wave::Wave;
 pub(crate) use wave::KEYS as WAVE_KEYS;
 
 use crate::error::SceneError;
-use crate::reader::TableReader;
+use crate::reader::{TableReader, quoted_list};
 use crate::registry::{Registered, Tag, TagDefault};
+use crate::technique::Technique;
 
 /// The sea, the table `[sea]`. It serialises as that table.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -69,10 +70,22 @@ impl SeaModel {
 }
 
 impl Sea {
-    /// Reads the sea of a technique that draws `models`; the first is meant where the file names none.
-    pub(crate) fn read(table: &TableReader<'_>, models: &[&'static str]) -> Result<Self, SceneError> {
-        let first = models.first().copied().unwrap_or("spectral");
-        table.tagged(&TAG.or(first)).map(|model| Self { model })
+    /// Reads the sea that `technique` draws; the first of its models is meant where the file names none. Another
+    /// model is refused before its settings are read: they would not help.
+    pub(crate) fn read(table: &TableReader<'_>, technique: &Technique) -> Result<Self, SceneError> {
+        let models = technique.sea_models();
+        let tag = TAG.or(models.first().copied().unwrap_or("spectral"));
+        if !models.contains(&table.read(tag.key, &tag)?.word) {
+            return Err(table.error(
+                Some(tag.key),
+                format!(
+                    "not a sea that technique = \"{}\" draws; accepted: {}",
+                    technique.word(),
+                    quoted_list(models)
+                ),
+            ));
+        }
+        table.tagged(&tag).map(|model| Self { model })
     }
 
     /// The moving surface itself. Equal settings and seeds give equal surfaces.

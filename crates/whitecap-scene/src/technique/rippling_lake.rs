@@ -55,7 +55,7 @@ table! {
         map_height_px: u32 = or(Count { min: 1, max: 4096 }, 256);
         /// How far above the water's level the refraction map still shows what is there, so that no seam opens
         /// where a look-up is moved across the shore. The text has none.
-        refraction_margin_m: f64 = or(Real { unit: "m", min: 0.0, max: 1.0 }, 0.1);
+        refraction_margin_m: f64 = or(Real { unit: "m", min: 0.0, max: 1.0 }, 0.0);
         /// Texels along a side of the bump map.
         bump_resolution: u32 = or(PowerOfTwo { min: 64, max: 2048 }, 256);
         /// The slope of the bump map, root mean square.
