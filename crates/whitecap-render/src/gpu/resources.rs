@@ -110,6 +110,35 @@ pub(crate) fn buffer(
     buffer
 }
 
+/// Triangles on the device: one vertex buffer and 32-bit indices.
+pub(crate) struct IndexedMesh {
+    vertices: wgpu::Buffer,
+    indices: wgpu::Buffer,
+    index_count: u32,
+}
+
+impl IndexedMesh {
+    pub(crate) fn new(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        label: &str,
+        vertices: &[u8],
+        indices: &[u32],
+    ) -> IndexedMesh {
+        IndexedMesh {
+            vertices: buffer(device, queue, label, vertices, wgpu::BufferUsages::VERTEX),
+            indices: buffer(device, queue, label, bytemuck::cast_slice(indices), wgpu::BufferUsages::INDEX),
+            index_count: indices.len() as u32,
+        }
+    }
+
+    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_vertex_buffer(0, self.vertices.slice(..));
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed(0..self.index_count, 0, 0..1);
+    }
+}
+
 /// A bind group of `resources` at bindings 0, 1, 2 ….
 pub(crate) fn bind_group<'r>(
     device: &wgpu::Device,

@@ -1,11 +1,12 @@
 //! What stands or floats in the water.
 
-use crate::gpu::resources::{PipelineRequest, bind_group, buffer};
+use crate::gpu::resources::{IndexedMesh, PipelineRequest, bind_group};
 use crate::shader_lib;
 use crate::uniforms::{MAX_VIEWS, Role, Shared, ViewSlots};
 use crate::{RenderError, TargetFormat, View};
 use glam::{DAffine3, Mat4};
-use whitecap_scene::object::Model;
+use whitecap_scene::mesh::Ground;
+use whitecap_scene::object::{self, Model};
 use whitecap_scene::{Scene, SceneSurface};
 use whitecap_waves::model::Surface;
 
@@ -39,9 +40,7 @@ pub(crate) struct Objects {
 
 struct Drawn {
     model: Model,
-    vertices: wgpu::Buffer,
-    indices: wgpu::Buffer,
-    index_count: u32,
+    mesh: IndexedMesh,
 }
 
 impl Objects {
@@ -73,6 +72,11 @@ impl Objects {
         Objects { drawn, slots, layout, group, surface }
     }
 
+    /// The ground that those which stand still make.
+    pub(crate) fn ground(&self) -> Option<Ground> {
+        object::ground(&self.drawn.iter().map(|drawn| drawn.model.clone()).collect::<Vec<_>>())
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.drawn.is_empty()
     }
@@ -98,12 +102,8 @@ impl Drawn {
         let corners = mesh.positions.iter().zip(&mesh.normals).zip(&mesh.colors);
         let vertices: Vec<GpuVertex> =
             corners.map(|((&position, &normal), &color)| GpuVertex { position, normal, color }).collect();
-        let index_count = mesh.indices.len() as u32;
-        let vertices =
-            buffer(device, queue, "object", bytemuck::cast_slice(&vertices), wgpu::BufferUsages::VERTEX);
-        let indices =
-            buffer(device, queue, "object", bytemuck::cast_slice(&mesh.indices), wgpu::BufferUsages::INDEX);
-        Drawn { model, vertices, indices, index_count }
+        let mesh = IndexedMesh::new(device, queue, "object", bytemuck::cast_slice(&vertices), &mesh.indices);
+        Drawn { model, mesh }
     }
 }
 
@@ -152,9 +152,7 @@ impl ObjectPass {
         for (i, drawn) in objects.drawn.iter().enumerate() {
             let offset = ViewSlots::<GpuObject>::offset(view * objects.drawn.len() + i);
             pass.set_bind_group(2, &objects.group, &[offset]);
-            pass.set_vertex_buffer(0, drawn.vertices.slice(..));
-            pass.set_index_buffer(drawn.indices.slice(..), wgpu::IndexFormat::Uint32);
-            pass.draw_indexed(0..drawn.index_count, 0, 0..1);
+            drawn.mesh.draw(pass);
         }
     }
 }

@@ -1,7 +1,11 @@
 //! How a wave model reaches the GPU.
 
+mod bump_map;
 mod sines;
 mod tile_maps;
 
+pub(crate) use bump_map::bump_map;
+#[cfg(test)]
+pub(crate) use bump_map::rms_slope;
 pub(crate) use sines::GpuSines;
 pub use tile_maps::TileMaps;

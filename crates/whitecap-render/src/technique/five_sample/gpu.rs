@@ -4,7 +4,7 @@ use super::super::Build;
 use super::later::Later;
 use super::plane::{Spacing, plane};
 use super::stage::Form;
-use crate::gpu::resources::{self, PipelineRequest, buffer, linear_sampler, rgba8_map, table_1d};
+use crate::gpu::resources::{self, IndexedMesh, PipelineRequest, linear_sampler, rgba8_map, table_1d};
 use crate::shader_lib::{self, Shader};
 use crate::uniforms::{ViewSlots, sampler_entry, texture_entry};
 
@@ -50,9 +50,7 @@ pub(super) struct Pipeline {
     water: wgpu::RenderPipeline,
     dome: wgpu::RenderPipeline,
     group: wgpu::BindGroup,
-    vertices: wgpu::Buffer,
-    indices: wgpu::Buffer,
-    index_count: u32,
+    mesh: IndexedMesh,
 }
 
 impl Pipeline {
@@ -94,23 +92,19 @@ impl Pipeline {
         let water = create(&shader, &vertices, true, later.map(|later| &later.layout));
         let dome = create(&shader_lib::FIVE_SAMPLE_DOME, &[], false, None);
         let grid = plane(spacing);
-        let mesh = |contents: &[u8], usage| buffer(device, build.queue, "level sea", contents, usage);
+        let vertices = bytemuck::cast_slice(&grid.vertices);
         Pipeline {
             water,
             dome,
             group,
-            vertices: mesh(bytemuck::cast_slice(&grid.vertices), wgpu::BufferUsages::VERTEX),
-            indices: mesh(bytemuck::cast_slice(&grid.indices), wgpu::BufferUsages::INDEX),
-            index_count: grid.indices.len() as u32,
+            mesh: IndexedMesh::new(device, build.queue, "level sea", vertices, &grid.indices),
         }
     }
 
     pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view_offset: u32) {
         pass.set_pipeline(&self.water);
         pass.set_bind_group(2, &self.group, &[view_offset]);
-        pass.set_vertex_buffer(0, self.vertices.slice(..));
-        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..self.index_count, 0, 0..1);
+        self.mesh.draw(pass);
     }
 
     pub(super) fn draw_dome(&self, pass: &mut wgpu::RenderPass<'_>, view_offset: u32) {

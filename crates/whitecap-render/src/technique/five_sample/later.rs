@@ -7,7 +7,6 @@ use crate::pass::{PlanarPass, PlanarSettings};
 use crate::uniforms::{Role, sampler_entry, texture_entry};
 use glam::DVec2;
 use whitecap_scene::mesh::Ground;
-use whitecap_scene::object;
 use whitecap_scene::technique as settings;
 
 /// Texels along a side of the mirror and the refraction map.
@@ -51,7 +50,7 @@ impl Later {
                 sampler_entry(3, S::FRAGMENT),
             ],
         });
-        let ground = object::ground(&build.scene.read_objects()?);
+        let ground = build.objects.ground();
         let (place, heights) = match &ground {
             Some(ground) => (Some(GroundPlace::of(ground)), ground.heights_m()),
             None => (None, &[Ground::NOWHERE_M; 4][..]),

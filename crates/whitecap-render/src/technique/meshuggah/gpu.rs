@@ -3,7 +3,7 @@
 use super::super::Build;
 use crate::environment::display_from_linear;
 use crate::geometry::TiledGrid;
-use crate::gpu::resources::{self, PipelineRequest, buffer, linear_sampler};
+use crate::gpu::resources::{self, IndexedMesh, PipelineRequest, linear_sampler};
 use crate::shader_lib;
 use crate::surface::TileMaps;
 use crate::uniforms::{ViewSlots, sampler_entry, texture_entry};
@@ -79,9 +79,7 @@ pub(super) fn water_colors(settings: &settings::Meshuggah, irradiance: Vec3, sun
 pub(super) struct Pipeline {
     pipeline: wgpu::RenderPipeline,
     group: wgpu::BindGroup,
-    vertices: wgpu::Buffer,
-    indices: wgpu::Buffer,
-    index_count: u32,
+    mesh: IndexedMesh,
 }
 
 impl Pipeline {
@@ -97,22 +95,17 @@ impl Pipeline {
         let group = bind_group(build, &layout, maps, slots, colors);
         let pipeline = pipeline(build, &layout);
         let vertices = bytemuck::cast_slice(&grid.vertices);
-        let indices = bytemuck::cast_slice(&grid.indices);
         Pipeline {
             pipeline,
             group,
-            vertices: buffer(device, build.queue, "grid", vertices, wgpu::BufferUsages::VERTEX),
-            indices: buffer(device, build.queue, "grid", indices, wgpu::BufferUsages::INDEX),
-            index_count: grid.indices.len() as u32,
+            mesh: IndexedMesh::new(device, build.queue, "grid", vertices, &grid.indices),
         }
     }
 
     pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view_offset: u32) {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(2, &self.group, &[view_offset]);
-        pass.set_vertex_buffer(0, self.vertices.slice(..));
-        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..self.index_count, 0, 0..1);
+        self.mesh.draw(pass);
     }
 }
 

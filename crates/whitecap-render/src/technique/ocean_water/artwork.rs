@@ -2,28 +2,22 @@
 //! water's colour.
 
 use whitecap_scene::technique::OceanWater as Settings;
-use whitecap_waves::field::{HeightField, WindRippleParameters, encode_unorm8, mip_chain, normal_map};
+use whitecap_waves::field::WindRippleParameters;
 
 use crate::RenderError;
+use crate::surface::bump_map;
 
 /// Texels of the gradient.
 const GRADIENT: usize = 256;
 
 /// The RGB normal map made from a height map (the text's Figure 3), with its mips.
 pub(super) fn bump_levels(settings: &Settings, seed: u64) -> Result<Vec<Vec<[u8; 4]>>, RenderError> {
-    let size = settings.bump_resolution as usize;
-    let ripples = HeightField::wind_ripples(WindRippleParameters {
+    let ripples = WindRippleParameters {
         peak_waves: settings.bump_ripples,
         smoothing_texels: 1.0,
-        ..WindRippleParameters::new(size, seed)
-    })
-    .map_err(|error| RenderError::Unsupported { what: format!("a bump map whose {error}") })?;
-    // The field's own steepness depends on its spectrum, so it is measured.
-    let slopes = normal_map(&ripples, 1.0);
-    let squares: f64 = slopes.iter().map(|&[x, y, z]| f64::from((x * x + y * y) / (z * z))).sum();
-    let steepness = (squares / slopes.len() as f64).sqrt().max(1e-9);
-    let normals = normal_map(&ripples, (settings.bump_steepness / steepness) as f32);
-    Ok(mip_chain(encode_unorm8(&normals), size))
+        ..WindRippleParameters::new(settings.bump_resolution as usize, seed)
+    };
+    bump_map(ripples, settings.bump_steepness)
 }
 
 /// The 1-D map of the water's colour (Figure 5), from looking along the surface to looking down into it.

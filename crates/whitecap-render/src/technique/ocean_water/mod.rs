@@ -27,7 +27,6 @@ use glam::{DVec2, DVec3};
 use gpu::{Artwork, GpuOceanWater, Pipeline};
 use mesh::Mesh;
 use whitecap_scene::mesh::Ground;
-use whitecap_scene::object::ground;
 use whitecap_scene::sea::SeaSurface;
 use whitecap_scene::technique as settings;
 use whitecap_waves::model::sines::SumOfSines;
@@ -57,7 +56,7 @@ impl OceanWater {
             REFINEMENT_ON_A_GRAPHICS_CARD
         });
         let mesh = Mesh::new(settings, refinement);
-        let ground = ground(&build.scene.read_objects()?);
+        let ground = build.objects.ground();
         let dim = |[r, g, b, a]: [u8; 4]| {
             let [r, g, b] = [r, g, b].map(|c| (f32::from(c) * build.daylight + 0.5) as u8);
             [r, g, b, a]

@@ -1,7 +1,7 @@
 //! The bump map that both scrolling layers read.
 
 use crate::RenderError;
-use whitecap_waves::field::{HeightField, WindRippleParameters, encode_unorm8, mip_chain, normal_map};
+use whitecap_waves::field::WindRippleParameters;
 
 /// How many of the longest strong ripples fit along the map.
 const PEAK_WAVES: f64 = 7.0;
@@ -18,22 +18,13 @@ pub(super) fn bump_map(seed: u64, resolution: u32, slope: f64) -> Result<Vec<Vec
         smoothing_texels: 1.0,
         ..WindRippleParameters::new(size, seed)
     };
-    // Every value that a scene may ask for is in range.
-    let field = HeightField::wind_ripples(parameters)
-        .map_err(|error| RenderError::Internal { description: error.to_string() })?;
-    let strength = slope / rms_slope(&normal_map(&field, 1.0)).max(1e-9);
-    Ok(mip_chain(encode_unorm8(&normal_map(&field, strength as f32)), size))
-}
-
-/// √(mean of (∂h/∂u)² + (∂h/∂v)²) of a map of unit normals.
-fn rms_slope(normals: &[[f32; 3]]) -> f64 {
-    let squares = normals.iter().map(|&[x, y, z]| f64::from((x * x + y * y) / (z * z)));
-    (squares.sum::<f64>() / normals.len().max(1) as f64).sqrt()
+    crate::surface::bump_map(parameters, slope)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::surface::rms_slope;
 
     #[test]
     fn the_map_has_the_slope_asked_for() {

@@ -2,7 +2,7 @@
 
 use super::super::Build;
 use crate::geometry::SquareGrid;
-use crate::gpu::resources::{self, PipelineRequest, buffer, linear_sampler};
+use crate::gpu::resources::{self, IndexedMesh, PipelineRequest, linear_sampler};
 use crate::shader_lib;
 use crate::surface::GpuSines;
 use crate::uniforms::{ViewSlots, sampler_entry, texture_entry};
@@ -73,9 +73,7 @@ pub(super) struct Pipeline {
     clamp: wgpu::Sampler,
     /// One for each view, since each has maps of its own.
     groups: Vec<wgpu::BindGroup>,
-    vertices: wgpu::Buffer,
-    indices: wgpu::Buffer,
-    index_count: u32,
+    mesh: IndexedMesh,
 }
 
 impl Pipeline {
@@ -83,7 +81,6 @@ impl Pipeline {
         let device = build.device;
         let layout = group_layout(device);
         let vertices = bytemuck::cast_slice(&grid.vertices);
-        let indices = bytemuck::cast_slice(&grid.indices);
         Pipeline {
             pipeline: pipeline(build, &layout),
             layout,
@@ -91,9 +88,7 @@ impl Pipeline {
             repeat: linear_sampler(device, "bump map", wgpu::AddressMode::Repeat),
             clamp: linear_sampler(device, "planar maps", wgpu::AddressMode::ClampToEdge),
             groups: Vec::new(),
-            vertices: buffer(device, build.queue, "lake", vertices, wgpu::BufferUsages::VERTEX),
-            indices: buffer(device, build.queue, "lake", indices, wgpu::BufferUsages::INDEX),
-            index_count: grid.indices.len() as u32,
+            mesh: IndexedMesh::new(device, build.queue, "lake", vertices, &grid.indices),
         }
     }
 
@@ -124,9 +119,7 @@ impl Pipeline {
         let Some(group) = self.groups.get(view) else { return };
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(2, group, &[ViewSlots::<GpuLake>::offset(view)]);
-        pass.set_vertex_buffer(0, self.vertices.slice(..));
-        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..self.index_count, 0, 0..1);
+        self.mesh.draw(pass);
     }
 }
 
