@@ -43,7 +43,7 @@ pub trait Surface: Send + Sync {
 /// ```
 /// use glam::{DVec2, DVec3};
 /// use std::f64::consts::TAU;
-/// use whitecap_waves::dispersion::deep_water_angular_frequency;
+/// use whitecap_waves::dispersion::Dispersion;
 /// use whitecap_waves::model::{Surface, SurfacePoint, TileFields, WaveModel};
 ///
 /// struct SingleSine { wavelength_m: f64, amplitude_m: f64, resolution: usize }
@@ -52,7 +52,7 @@ pub trait Surface: Send + Sync {
 ///     /// Height and its slope along x.
 ///     fn wave(&self, x: f64, time_s: f64) -> (f64, f64) {
 ///         let k = TAU / self.wavelength_m;
-///         let phase = k * x - deep_water_angular_frequency(k) * time_s;
+///         let phase = k * x - Dispersion::DEEP.angular_frequency(k) * time_s;
 ///         (self.amplitude_m * phase.cos(), -self.amplitude_m * k * phase.sin())
 ///     }
 /// }

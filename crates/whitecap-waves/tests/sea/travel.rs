@@ -3,7 +3,7 @@
 use crate::{TILE, WIND, one_wave, wind_sea};
 use glam::DVec2;
 use whitecap_waves::direction::toward_from_nautical;
-use whitecap_waves::dispersion::{deep_water_angular_frequency, deep_water_phase_speed};
+use whitecap_waves::dispersion::Dispersion;
 use whitecap_waves::model::spectral::SpectralSeaParameters;
 use whitecap_waves::model::{Surface, TileFields, WaveModel};
 use whitecap_waves::spectrum::phillips::PhillipsParameters;
@@ -30,7 +30,7 @@ fn a_wave_travels_towards_its_wave_vector_at_its_phase_speed() {
     for (p, q) in LATTICE {
         let (wave, sea) = one_wave(p, q);
         let k = wave.k();
-        let velocity = k.normalize() * deep_water_phase_speed(k.length());
+        let velocity = k.normalize() * Dispersion::DEEP.phase_speed(k.length());
         let start = DVec2::new(12.0, -7.0);
         let there = sea.sample(start, 0.0);
         for time_s in [0.4, -3.0, 60.0, 1e6, -1e6] {
@@ -39,7 +39,7 @@ fn a_wave_travels_towards_its_wave_vector_at_its_phase_speed() {
             assert!(apart < 1e-6, "({p}, {q}) after {time_s} s: {apart} m");
         }
         // Nobody else does: half a period on, the same place has the opposite height.
-        let half_period_s = std::f64::consts::PI / deep_water_angular_frequency(k.length());
+        let half_period_s = std::f64::consts::PI / Dispersion::DEEP.angular_frequency(k.length());
         let later = sea.sample(start, half_period_s).displacement_m;
         assert!((later + there.displacement_m).length() < 1e-9);
     }

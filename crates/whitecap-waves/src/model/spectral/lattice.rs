@@ -14,7 +14,7 @@
 use super::fit::cell;
 use super::random::for_each_draw;
 use super::{Amplitudes, SpectralSeaParameters};
-use crate::dispersion::deep_water_angular_frequency;
+use crate::dispersion::Dispersion;
 use rustfft::num_complex::Complex;
 use std::f64::consts::TAU;
 
@@ -65,7 +65,7 @@ impl Waves {
             }
             for q in 0..half {
                 let k = spacing * libm::hypot(p as f64, q as f64);
-                turns_per_s[p * half + q] = deep_water_angular_frequency(k) / TAU;
+                turns_per_s[p * half + q] = Dispersion::DEEP.angular_frequency(k) / TAU;
                 lean[p * half + q] = if k > 0.0 { (choppiness / k) as f32 } else { 0.0 };
             }
         }
