@@ -10,7 +10,7 @@ use rustfft::{Fft, FftPlanner};
 use std::hint::black_box;
 use std::sync::Arc;
 use whitecap_waves::direction::toward_from_nautical;
-use whitecap_waves::model::spectral::{Amplitudes, SpectralSea, SpectralSeaParameters};
+use whitecap_waves::model::spectral::{Amplitudes, SpectralTile, SpectralTileParameters};
 use whitecap_waves::model::{TileFields, WaveModel};
 use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
 use whitecap_waves::transform::{Complex, InverseReal2d};
@@ -18,7 +18,7 @@ use whitecap_waves::transform::{Complex, InverseReal2d};
 const SIZES: [usize; 3] = [64, 256, 512];
 const FIELDS: usize = 8;
 
-fn sea(resolution: usize) -> SpectralSea {
+fn sea(resolution: usize) -> SpectralTile {
     let wind_sea = Phillips::new(PhillipsParameters {
         wind_speed_mps: 10.0,
         toward: toward_from_nautical(250.0),
@@ -26,14 +26,14 @@ fn sea(resolution: usize) -> SpectralSea {
         opposing_energy: 0.0,
         small_wave_cutoff_m: 0.0,
     });
-    let parameters = SpectralSeaParameters {
+    let parameters = SpectralTileParameters {
         tile_size_m: 400.0,
         resolution,
         choppiness: 1.0,
         seed: 7,
         amplitudes: Amplitudes::Deterministic,
     };
-    SpectralSea::new(parameters, &[wind_sea.expect("a good spectrum")]).expect("a sea that fits its tile")
+    SpectralTile::new(parameters, &[wind_sea.expect("a good spectrum")]).expect("a sea that fits its tile")
 }
 
 /// A Hermitian spectrum with energy everywhere, as the transform takes it.

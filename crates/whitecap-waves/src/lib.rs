@@ -27,7 +27,7 @@
 //!
 //! ```
 //! use whitecap_waves::direction::toward_from_nautical;
-//! use whitecap_waves::model::spectral::{Amplitudes, SpectralSea, SpectralSeaParameters};
+//! use whitecap_waves::model::spectral::{Amplitudes, SpectralTile, SpectralTileParameters};
 //! use whitecap_waves::model::{TileFields, WaveModel};
 //! use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
 //! use whitecap_waves::statistics::{Moments, significant_height_m};
@@ -39,8 +39,8 @@
 //!     opposing_energy: 0.0,
 //!     small_wave_cutoff_m: 0.0,
 //! })?;
-//! let mut sea = SpectralSea::new(
-//!     SpectralSeaParameters {
+//! let mut sea = SpectralTile::new(
+//!     SpectralTileParameters {
 //!         tile_size_m: 400.0,
 //!         resolution: 64,
 //!         choppiness: 1.0,

@@ -1,7 +1,7 @@
 //! Settings of a sea drawn from spectra and moved by a Fourier transform.
 
 use whitecap_waves::ParameterError;
-use whitecap_waves::model::spectral::{self, SpectralSea, SpectralSeaParameters};
+use whitecap_waves::model::spectral::{self, SpectralTile, SpectralTileParameters};
 
 use super::system::{System, Systems};
 use super::{SeaModel, SeaSurface};
@@ -49,7 +49,7 @@ impl SpectralSettings {
             system.build().map_err(|error| problem(&error, key))
         });
         let systems = systems.collect::<Result<Vec<_>, _>>()?;
-        let parameters = SpectralSeaParameters {
+        let parameters = SpectralTileParameters {
             tile_size_m: self.tile_size_m,
             resolution: self.resolution as usize,
             choppiness: self.choppiness,
@@ -59,7 +59,7 @@ impl SpectralSettings {
                 Amplitudes::Gaussian => spectral::Amplitudes::Gaussian,
             },
         };
-        match SpectralSea::new(parameters, &systems) {
+        match SpectralTile::new(parameters, &systems) {
             Ok(sea) => Ok(SeaSurface::Tile(Box::new(sea))),
             Err(error) => Err(problem(&error, |field| format!("sea.{field}"))),
         }

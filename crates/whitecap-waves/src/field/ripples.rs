@@ -3,7 +3,7 @@
 use super::HeightField;
 use crate::GRAVITY_MPS2;
 use crate::error::{ParameterError, check};
-use crate::model::spectral::{Amplitudes, SpectralSea, SpectralSeaParameters};
+use crate::model::spectral::{Amplitudes, SpectralTile, SpectralTileParameters};
 use crate::model::{TileFields, WaveModel};
 use crate::spectrum::phillips::{Phillips, PhillipsParameters};
 use glam::DVec2;
@@ -63,7 +63,7 @@ impl HeightField {
             opposing_energy,
             small_wave_cutoff_m: (smoothing_texels * tile_size_m / size as f64).min(length_scale_m),
         })?;
-        let tile = SpectralSeaParameters {
+        let tile = SpectralTileParameters {
             tile_size_m,
             resolution: size,
             choppiness: 0.0,
@@ -71,7 +71,7 @@ impl HeightField {
             amplitudes: Amplitudes::Deterministic,
         };
         let mut fields = TileFields::new(size);
-        SpectralSea::new(tile, &[spectrum])?.evaluate(0.0, &mut fields);
+        SpectralTile::new(tile, &[spectrum])?.evaluate(0.0, &mut fields);
         Ok(Self::normalised(size, &fields.height))
     }
 }

@@ -2,13 +2,13 @@
 
 use crate::{TILE, WIND, one_wave, wind_sea};
 use glam::DVec2;
-use whitecap_waves::model::spectral::{Amplitudes, SpectralSea, SpectralSeaParameters};
+use whitecap_waves::model::spectral::{Amplitudes, SpectralTile, SpectralTileParameters};
 use whitecap_waves::model::{Surface, TileFields, WaveModel};
 use whitecap_waves::spectrum::WaveSpectrum;
 use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
 use whitecap_waves::statistics::{Moments, significant_height_m};
 
-fn measured_variance(sea: &mut SpectralSea, time_s: f64) -> f64 {
+fn measured_variance(sea: &mut SpectralTile, time_s: f64) -> f64 {
     let mut fields = TileFields::default();
     sea.evaluate(time_s, &mut fields);
     Moments::of(&fields.height).variance
@@ -19,7 +19,7 @@ fn every_deterministic_sea_has_its_significant_height() {
     for (resolution, height_m) in [(32, 0.4), (64, 2.0), (128, 3.5)] {
         for seed in [0, 1, u64::MAX] {
             let wind = PhillipsParameters { significant_height_m: Some(height_m), ..WIND };
-            let mut sea = wind_sea(SpectralSeaParameters { resolution, seed, ..TILE }, wind);
+            let mut sea = wind_sea(SpectralTileParameters { resolution, seed, ..TILE }, wind);
             assert!((sea.variance_m2() - (height_m / 4.0).powi(2)).abs() < 1e-12);
             for time_s in [-50.0, 0.0, 3.7, 1e4] {
                 let measured = significant_height_m(measured_variance(&mut sea, time_s));
@@ -54,7 +54,7 @@ fn gaussian_seas_have_it_on_average_and_differ() {
     let all: Vec<f64> = (0..seeds)
         .map(|seed| {
             let tile =
-                SpectralSeaParameters { resolution: 32, seed, amplitudes: Amplitudes::Gaussian, ..TILE };
+                SpectralTileParameters { resolution: 32, seed, amplitudes: Amplitudes::Gaussian, ..TILE };
             measured_variance(&mut wind_sea(tile, WIND), 1.5) / m0
         })
         .collect();
@@ -69,7 +69,7 @@ fn gaussian_seas_have_it_on_average_and_differ() {
 #[test]
 fn opposing_waves_have_it_on_average() {
     let wind = PhillipsParameters { opposing_energy: 1.0, ..WIND };
-    let mut sea = wind_sea(SpectralSeaParameters { resolution: 32, ..TILE }, wind);
+    let mut sea = wind_sea(SpectralTileParameters { resolution: 32, ..TILE }, wind);
     let times = 200;
     let mean =
         (0..times).map(|i| measured_variance(&mut sea, 7.3 * f64::from(i))).sum::<f64>() / f64::from(times);
@@ -81,7 +81,7 @@ fn systems_add_by_variance() {
     let swell = PhillipsParameters { toward: DVec2::NEG_Y, significant_height_m: Some(1.5), ..WIND };
     let systems: Vec<Box<dyn WaveSpectrum>> =
         vec![Box::new(Phillips::new(WIND).unwrap()), Box::new(Phillips::new(swell).unwrap())];
-    let mut both = SpectralSea::new(TILE, &systems).unwrap();
+    let mut both = SpectralTile::new(TILE, &systems).unwrap();
     let expected = systems[0].variance_m2() + systems[1].variance_m2();
     assert!((both.variance_m2() / expected - 1.0).abs() < 1e-12);
     assert!((measured_variance(&mut both, 4.0) / expected - 1.0).abs() < 0.1);
@@ -91,7 +91,7 @@ fn systems_add_by_variance() {
 fn no_systems_and_no_height_are_a_flat_sea() {
     let calm = PhillipsParameters { significant_height_m: Some(0.0), ..WIND };
     let nothing: [Phillips; 0] = [];
-    for mut sea in [wind_sea(TILE, calm), SpectralSea::new(TILE, &nothing).unwrap()] {
+    for mut sea in [wind_sea(TILE, calm), SpectralTile::new(TILE, &nothing).unwrap()] {
         assert_eq!(sea.captured_fraction(), 1.0);
         assert_eq!(measured_variance(&mut sea, 3.0), 0.0);
         assert_eq!(sea.sample(DVec2::new(3.0, 4.0), 3.0).jacobian, 1.0);
@@ -101,7 +101,7 @@ fn no_systems_and_no_height_are_a_flat_sea() {
 /// A linear sea is Gaussian, and the mean of the height over the flat tile is zero.
 #[test]
 fn heights_are_gaussian() {
-    let tile = SpectralSeaParameters { tile_size_m: 1600.0, resolution: 256, ..TILE };
+    let tile = SpectralTileParameters { tile_size_m: 1600.0, resolution: 256, ..TILE };
     let mut fields = TileFields::default();
     wind_sea(tile, WIND).evaluate(9.0, &mut fields);
     let moments = Moments::of(&fields.height);

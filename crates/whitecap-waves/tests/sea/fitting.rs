@@ -3,13 +3,13 @@
 use crate::{OneWave, TILE, WIND, wind_sea};
 use glam::DVec2;
 use whitecap_waves::model::Surface;
-use whitecap_waves::model::spectral::{SpectralSea, SpectralSeaParameters};
+use whitecap_waves::model::spectral::{SpectralTile, SpectralTileParameters};
 use whitecap_waves::spectrum::WaveSpectrum;
 use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
 use whitecap_waves::{ParameterError, Remedy};
 
-fn refusal(tile: SpectralSeaParameters, wind: PhillipsParameters) -> ParameterError {
-    match SpectralSea::new(tile, &[Phillips::new(wind).expect("a spectrum within its ranges")]) {
+fn refusal(tile: SpectralTileParameters, wind: PhillipsParameters) -> ParameterError {
+    match SpectralTile::new(tile, &[Phillips::new(wind).expect("a spectrum within its ranges")]) {
         Ok(sea) => panic!("accepted, with {} captured", sea.captured_fraction()),
         Err(error) => error,
     }
@@ -18,7 +18,7 @@ fn refusal(tile: SpectralSeaParameters, wind: PhillipsParameters) -> ParameterEr
 #[test]
 fn a_roomy_tile_captures_nearly_everything() {
     for resolution in [64, 128, 256] {
-        let captured = wind_sea(SpectralSeaParameters { resolution, ..TILE }, WIND).captured_fraction();
+        let captured = wind_sea(SpectralTileParameters { resolution, ..TILE }, WIND).captured_fraction();
         assert!((0.95..1.01).contains(&captured), "{resolution}: {captured}");
     }
 }
@@ -26,7 +26,7 @@ fn a_roomy_tile_captures_nearly_everything() {
 /// Of a Phillips spectrum the share exp(−1/(kL)²) has wave numbers below k: the integral of its radial part.
 #[test]
 fn the_captured_share_is_that_of_the_band() {
-    let tile = SpectralSeaParameters { tile_size_m: 1200.0, resolution: 64, ..TILE };
+    let tile = SpectralTileParameters { tile_size_m: 1200.0, resolution: 64, ..TILE };
     let captured = wind_sea(tile, WIND).captured_fraction();
     let (k_max, length) = (std::f64::consts::PI * 64.0 / 1200.0, 100.0 / 9.81);
     // Inside the circle of radius k_max lies this much, and some more in the corners of the square.
@@ -37,7 +37,7 @@ fn the_captured_share_is_that_of_the_band() {
 #[test]
 fn waves_too_long_for_the_tile() {
     let storm = PhillipsParameters { wind_speed_mps: 25.0, ..WIND };
-    let tile = SpectralSeaParameters { tile_size_m: 40.0, ..TILE };
+    let tile = SpectralTileParameters { tile_size_m: 40.0, ..TILE };
     let error = refusal(tile, storm);
     let ParameterError::SeaDoesNotFit { captured_fraction, remedy, .. } = error.clone() else {
         panic!("{error}");
@@ -52,19 +52,19 @@ fn waves_too_long_for_the_tile() {
     let expected = 4.0 * std::f64::consts::TAU * (625.0 / 9.81) / (2.0_f64 / 3.0).sqrt();
     let Remedy::LargerTile { tile_size_m } = remedy else { panic!("{text}") };
     assert!((tile_size_m / expected - 1.0).abs() < 0.02, "{tile_size_m} for {expected}");
-    let roomy = SpectralSeaParameters { tile_size_m, ..TILE };
+    let roomy = SpectralTileParameters { tile_size_m, ..TILE };
     assert!(wind_sea(roomy, storm).captured_fraction() > 0.9);
 }
 
 #[test]
 fn waves_too_short_for_the_samples() {
     let breath = PhillipsParameters { wind_speed_mps: 2.0, ..WIND };
-    let error = refusal(SpectralSeaParameters { resolution: 32, ..TILE }, breath);
+    let error = refusal(SpectralTileParameters { resolution: 32, ..TILE }, breath);
     let ParameterError::SeaDoesNotFit { remedy: Remedy::CloserSamples { spacing_m }, .. } = error else {
         panic!("{error}");
     };
     assert!(error.to_string().contains("too short"), "{error}");
-    let fine = SpectralSeaParameters { tile_size_m: 64.0 * spacing_m, ..TILE };
+    let fine = SpectralTileParameters { tile_size_m: 64.0 * spacing_m, ..TILE };
     assert!((wind_sea(fine, breath).captured_fraction() - 0.9).abs() < 0.08);
 }
 
@@ -72,14 +72,14 @@ fn waves_too_short_for_the_samples() {
 fn parameters_are_checked() {
     let spectrum = [Phillips::new(WIND).unwrap()];
     for (field, tile) in [
-        ("tile_size_m", SpectralSeaParameters { tile_size_m: 0.0, ..TILE }),
-        ("tile_size_m", SpectralSeaParameters { tile_size_m: f64::NAN, ..TILE }),
-        ("resolution", SpectralSeaParameters { resolution: 100, ..TILE }),
-        ("resolution", SpectralSeaParameters { resolution: 8, ..TILE }),
-        ("resolution", SpectralSeaParameters { resolution: 4096, ..TILE }),
-        ("choppiness", SpectralSeaParameters { choppiness: -1.0, ..TILE }),
+        ("tile_size_m", SpectralTileParameters { tile_size_m: 0.0, ..TILE }),
+        ("tile_size_m", SpectralTileParameters { tile_size_m: f64::NAN, ..TILE }),
+        ("resolution", SpectralTileParameters { resolution: 100, ..TILE }),
+        ("resolution", SpectralTileParameters { resolution: 8, ..TILE }),
+        ("resolution", SpectralTileParameters { resolution: 4096, ..TILE }),
+        ("choppiness", SpectralTileParameters { choppiness: -1.0, ..TILE }),
     ] {
-        let Err(error) = SpectralSea::new(tile, &spectrum) else { panic!("{tile:?} was accepted") };
+        let Err(error) = SpectralTile::new(tile, &spectrum) else { panic!("{tile:?} was accepted") };
         assert!(error.to_string().starts_with(field), "{error}");
     }
 }
@@ -97,7 +97,7 @@ impl WaveSpectrum for Broken {
 
 #[test]
 fn a_broken_spectrum_is_an_error() {
-    assert!(SpectralSea::new(TILE, &[Broken]).is_err());
+    assert!(SpectralTile::new(TILE, &[Broken]).is_err());
 }
 
 /// A finer grid over the same tile: the one wave that both have is the same to the last digit of the sum.
@@ -105,7 +105,7 @@ fn a_broken_spectrum_is_an_error() {
 fn a_finer_grid_keeps_the_coarse_waves() {
     let wave = OneWave { tile_size_m: 400.0, lattice: DVec2::new(6.0, -5.0), variance_m2: 0.5 };
     let at = |resolution| {
-        let sea = SpectralSea::new(SpectralSeaParameters { resolution, ..TILE }, &[&wave]).unwrap();
+        let sea = SpectralTile::new(SpectralTileParameters { resolution, ..TILE }, &[&wave]).unwrap();
         sea.sample(DVec2::new(31.0, 77.0), 5.0).displacement_m
     };
     assert_eq!(at(16), at(32));

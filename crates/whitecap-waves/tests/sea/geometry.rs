@@ -4,15 +4,15 @@ use crate::{TILE, WIND, one_wave, wind_sea};
 use glam::{DVec2, DVec3, Vec3};
 use proptest::prelude::*;
 use whitecap_waves::direction::toward_from_nautical;
-use whitecap_waves::model::spectral::{Amplitudes, SpectralSea, SpectralSeaParameters};
+use whitecap_waves::model::spectral::{Amplitudes, SpectralTile, SpectralTileParameters};
 use whitecap_waves::model::{Surface, TileFields, WaveModel};
 use whitecap_waves::spectrum::phillips::PhillipsParameters;
 use whitecap_waves::statistics::significant_height_m;
 
 /// A sea with energy in all directions on an odd-sized tile, so that no axis or sign is like another.
-fn lopsided(resolution: usize, seed: u64) -> SpectralSea {
+fn lopsided(resolution: usize, seed: u64) -> SpectralTile {
     let wind = PhillipsParameters { toward: toward_from_nautical(237.0), opposing_energy: 0.3, ..WIND };
-    let tile = SpectralSeaParameters {
+    let tile = SpectralTileParameters {
         tile_size_m: 310.0,
         resolution,
         choppiness: 0.8,
@@ -23,7 +23,7 @@ fn lopsided(resolution: usize, seed: u64) -> SpectralSea {
 }
 
 /// The gradients ∂dx/∂x, ∂dx/∂z, ∂dz/∂x, ∂dz/∂z and the slopes, by central differences of `sample`.
-fn differences(sea: &SpectralSea, rest: DVec2, time_s: f64) -> (DVec3, DVec3) {
+fn differences(sea: &SpectralTile, rest: DVec2, time_s: f64) -> (DVec3, DVec3) {
     let step = 1e-3;
     let along = |axis: DVec2| {
         let ahead = sea.sample(rest + axis * step, time_s).displacement_m;
@@ -139,7 +139,7 @@ fn the_jacobian_has_mean_one() {
 
 #[test]
 fn choppiness_scales_the_displacement_and_nothing_else() {
-    let sea = |choppiness| wind_sea(SpectralSeaParameters { choppiness, ..TILE }, WIND);
+    let sea = |choppiness| wind_sea(SpectralTileParameters { choppiness, ..TILE }, WIND);
     let at = |choppiness: f64| sea(choppiness).sample(DVec2::new(17.0, 91.0), 3.0);
     let (none, one, two) = (at(0.0), at(1.0), at(2.0));
     assert_eq!(none.displacement_m.with_y(0.0), DVec3::ZERO);
@@ -153,9 +153,9 @@ fn choppiness_scales_the_displacement_and_nothing_else() {
 #[test]
 fn a_folded_crest_shows_its_underside() {
     let (_, gentle) = one_wave(4.0, 0.0);
-    let tile = SpectralSeaParameters { choppiness: 10.0, ..*gentle.parameters() };
+    let tile = SpectralTileParameters { choppiness: 10.0, ..*gentle.parameters() };
     let (wave, _) = one_wave(4.0, 0.0);
-    let mut sea = SpectralSea::new(tile, &[wave]).unwrap();
+    let mut sea = SpectralTile::new(tile, &[wave]).unwrap();
     let mut fields = TileFields::default();
     sea.evaluate(0.0, &mut fields);
     let crest = (0..32).max_by(|&a, &b| fields.height[a].total_cmp(&fields.height[b])).unwrap();

@@ -8,7 +8,7 @@ mod travel;
 
 use glam::DVec2;
 use std::f64::consts::TAU;
-use whitecap_waves::model::spectral::{Amplitudes, SpectralSea, SpectralSeaParameters};
+use whitecap_waves::model::spectral::{Amplitudes, SpectralTile, SpectralTileParameters};
 use whitecap_waves::spectrum::WaveSpectrum;
 use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
 
@@ -20,7 +20,7 @@ const WIND: PhillipsParameters = PhillipsParameters {
     opposing_energy: 0.0,
     small_wave_cutoff_m: 0.0,
 };
-const TILE: SpectralSeaParameters = SpectralSeaParameters {
+const TILE: SpectralTileParameters = SpectralTileParameters {
     tile_size_m: 400.0,
     resolution: 64,
     choppiness: 1.0,
@@ -28,9 +28,9 @@ const TILE: SpectralSeaParameters = SpectralSeaParameters {
     amplitudes: Amplitudes::Deterministic,
 };
 
-fn wind_sea(tile: SpectralSeaParameters, wind: PhillipsParameters) -> SpectralSea {
+fn wind_sea(tile: SpectralTileParameters, wind: PhillipsParameters) -> SpectralTile {
     let spectrum = Phillips::new(wind).expect("a spectrum within its ranges");
-    SpectralSea::new(tile, &[spectrum]).expect("a sea that fits its tile")
+    SpectralTile::new(tile, &[spectrum]).expect("a sea that fits its tile")
 }
 
 /// All the energy in the one cell of the lattice of `tile_size_m` at (p, q): a single wave of amplitude
@@ -58,9 +58,9 @@ impl WaveSpectrum for OneWave {
 }
 
 /// The wave at lattice point (p, q) of a 100 m tile, half a metre high.
-fn one_wave(p: f64, q: f64) -> (OneWave, SpectralSea) {
+fn one_wave(p: f64, q: f64) -> (OneWave, SpectralTile) {
     let wave = OneWave { tile_size_m: 100.0, lattice: DVec2::new(p, q), variance_m2: 0.125 };
-    let tile = SpectralSeaParameters { tile_size_m: 100.0, resolution: 32, ..TILE };
-    let sea = SpectralSea::new(tile, &[&wave]).expect("one wave always fits");
+    let tile = SpectralTileParameters { tile_size_m: 100.0, resolution: 32, ..TILE };
+    let sea = SpectralTile::new(tile, &[&wave]).expect("one wave always fits");
     (wave, sea)
 }

@@ -1,12 +1,12 @@
 //! Equal bits, however a sea is computed.
 
 use crate::{TILE, WIND, wind_sea};
-use whitecap_waves::model::spectral::SpectralSeaParameters;
+use whitecap_waves::model::spectral::SpectralTileParameters;
 use whitecap_waves::model::{TileFields, WaveModel};
 
 fn evaluated(resolution: usize) -> TileFields {
     let mut fields = TileFields::default();
-    wind_sea(SpectralSeaParameters { resolution, ..TILE }, WIND).evaluate(33.25, &mut fields);
+    wind_sea(SpectralTileParameters { resolution, ..TILE }, WIND).evaluate(33.25, &mut fields);
     fields
 }
 
@@ -38,7 +38,7 @@ fn the_number_of_threads_changes_no_bit() {
 
 #[test]
 fn neither_do_earlier_moments_nor_used_fields() {
-    let mut sea = wind_sea(SpectralSeaParameters { resolution: 64, ..TILE }, WIND);
+    let mut sea = wind_sea(SpectralTileParameters { resolution: 64, ..TILE }, WIND);
     let mut fields = TileFields::new(128);
     sea.evaluate(-700.0, &mut fields);
     sea.evaluate(33.25, &mut fields);

@@ -4,7 +4,7 @@ use crate::{TILE, WIND, one_wave, wind_sea};
 use glam::DVec2;
 use whitecap_waves::direction::toward_from_nautical;
 use whitecap_waves::dispersion::Dispersion;
-use whitecap_waves::model::spectral::SpectralSeaParameters;
+use whitecap_waves::model::spectral::SpectralTileParameters;
 use whitecap_waves::model::{Surface, TileFields, WaveModel};
 use whitecap_waves::spectrum::phillips::PhillipsParameters;
 
@@ -68,7 +68,7 @@ fn the_water_circles_forward_over_the_crest() {
 fn a_wind_sea_runs_with_the_wind() {
     for from_deg in (0..360).step_by(30) {
         let toward = toward_from_nautical(f64::from(from_deg));
-        let tile = SpectralSeaParameters { resolution: 32, ..TILE };
+        let tile = SpectralTileParameters { resolution: 32, ..TILE };
         let mut sea = wind_sea(tile, PhillipsParameters { toward, ..WIND });
         let [mut before, mut now, mut after] = [(); 3].map(|()| TileFields::default());
         let step = 0.05;
@@ -90,7 +90,7 @@ fn a_wind_sea_runs_with_the_wind() {
 fn opposing_energy_turns_waves_round() {
     let flux = |opposing_energy: f64| {
         let wind = PhillipsParameters { opposing_energy, ..WIND };
-        let tile = SpectralSeaParameters { resolution: 32, ..TILE };
+        let tile = SpectralTileParameters { resolution: 32, ..TILE };
         let mut sea = wind_sea(tile, wind);
         let [mut before, mut after] = [(); 2].map(|()| TileFields::default());
         sea.evaluate(0.0, &mut before);

@@ -13,7 +13,7 @@
 
 use super::fit::cell;
 use super::random::for_each_draw;
-use super::{Amplitudes, SpectralSeaParameters};
+use super::{Amplitudes, SpectralTileParameters};
 use crate::dispersion::Dispersion;
 use rustfft::num_complex::Complex;
 use std::f64::consts::TAU;
@@ -39,8 +39,8 @@ pub(super) struct Waves {
 
 impl Waves {
     /// Draws the waves: `cell_variance_m2` is ΨΔk² at [`cell`] (p, q).
-    pub(super) fn new(parameters: &SpectralSeaParameters, cell_variance_m2: &[f64]) -> Self {
-        let &SpectralSeaParameters { tile_size_m, resolution: n, choppiness, .. } = parameters;
+    pub(super) fn new(parameters: &SpectralTileParameters, cell_variance_m2: &[f64]) -> Self {
+        let &SpectralTileParameters { tile_size_m, resolution: n, choppiness, .. } = parameters;
         let half = n / 2;
         let h0 = initial_amplitudes(parameters, cell_variance_m2);
 
@@ -104,7 +104,7 @@ pub(super) fn signed(n: usize, q: usize) -> i32 {
 
 /// h0 at [`cell`] (p, q): |h0|² = ΨΔk²/2, or that on average (Tessendorf 2001, "Building a
 /// Random Ocean Wave Height Field", but for the factor).
-fn initial_amplitudes(parameters: &SpectralSeaParameters, cell_variance_m2: &[f64]) -> Vec<Complex<f64>> {
+fn initial_amplitudes(parameters: &SpectralTileParameters, cell_variance_m2: &[f64]) -> Vec<Complex<f64>> {
     let n = parameters.resolution;
     let mut h0 = vec![Complex::default(); n * n];
     for_each_draw(parameters.seed, n as i32 / 2 - 1, |p, q, draw| {

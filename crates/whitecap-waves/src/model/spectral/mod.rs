@@ -29,7 +29,7 @@
 //!
 //! Ψ is taken at the centre of each lattice cell, and each system is then scaled so that its ΣΨΔk² is exactly
 //! its m0: the surface has the significant height that was requested whatever the tile. Which share of the
-//! energy the lattice carried before scaling is [`SpectralSea::captured_fraction`]; a system below ½ is
+//! energy the lattice carried before scaling is [`SpectralTile::captured_fraction`]; a system below ½ is
 //! refused, since scaling would make another sea of it.
 
 use super::{Surface, SurfacePoint, TileFields, WaveModel};
@@ -50,9 +50,9 @@ mod tests;
 use evolve::{Column, evolve_column};
 use lattice::Waves;
 
-/// What a [`SpectralSea`] is made from, beside its spectra.
+/// What a [`SpectralTile`] is made from, beside its spectra.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SpectralSeaParameters {
+pub struct SpectralTileParameters {
     /// L in metres, above 0 and at most 1e6. Four wavelengths of the spectral peak or more carry all of a
     /// sea's energy.
     pub tile_size_m: f64,
@@ -79,12 +79,27 @@ pub enum Amplitudes {
     Gaussian,
 }
 
-/// A sea of (N − 1)² − 1 waves with random phases; see the [module](self).
+/// The waves of one column of a tile's lattice, those of one p ≥ 0, for a backend that evolves them itself.
+///
+/// With the arrays below, at time t and with c, s = cos, sin of 2π ν t: h = c P + s Q, and the displaced fields
+/// come from G = lean · h as the [module](self) says. A place q holds the lattice number q for q < N/2 and q − N
+/// from there on; q = N/2 is empty.
+#[derive(Debug, Clone, Copy)]
+pub struct WaveColumn<'a> {
+    /// Re P, Im P, Re Q, Im Q, each N numbers over q, in metres.
+    pub amplitudes: [&'a [f32]; 4],
+    /// ν in turns per second, N/2 numbers over |q|.
+    pub turns_per_s: &'a [f64],
+    /// λ coth(kd)/|k| in m/rad, N/2 numbers over |q|; 0 at k = 0.
+    pub lean: &'a [f32],
+}
+
+/// A tile of (N − 1)² − 1 waves with random phases; see the [module](self).
 ///
 /// Doubling the resolution over the same tile adds shorter waves and leaves the phase and direction of those
 /// that were there; their heights all change by the one factor that keeps the significant height.
-pub struct SpectralSea {
-    parameters: SpectralSeaParameters,
+pub struct SpectralTile {
+    parameters: SpectralTileParameters,
     variance_m2: f64,
     captured_fraction: f64,
     waves: Waves,
@@ -93,16 +108,16 @@ pub struct SpectralSea {
     transform: InverseReal2d,
 }
 
-impl SpectralSea {
+impl SpectralTile {
     /// The sea whose energy is the sum of `systems`: spectra by value, by reference or boxed. Without any it
     /// is flat.
     ///
     /// Fails when a parameter is out of its range or when a system does not fit the tile.
     pub fn new<S: WaveSpectrum>(
-        parameters: SpectralSeaParameters,
+        parameters: SpectralTileParameters,
         systems: &[S],
     ) -> Result<Self, ParameterError> {
-        let SpectralSeaParameters { tile_size_m, resolution: n, choppiness, .. } = parameters;
+        let SpectralTileParameters { tile_size_m, resolution: n, choppiness, .. } = parameters;
         check("tile_size_m", tile_size_m, "above 0 and at most 1e6", |l| l > 0.0 && l <= 1e6)?;
         check("resolution", n as f64, "a power of two from 16 to 2048", |_| {
             n.is_power_of_two() && (16..=2048).contains(&n)
@@ -120,8 +135,21 @@ impl SpectralSea {
     }
 
     /// The parameters that the sea was made from.
-    pub fn parameters(&self) -> &SpectralSeaParameters {
+    pub fn parameters(&self) -> &SpectralTileParameters {
         &self.parameters
+    }
+
+    /// The waves with lattice number `p` along x, from 0 to N/2 − 1.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such column.
+    pub fn column(&self, p: usize) -> WaveColumn<'_> {
+        WaveColumn {
+            amplitudes: self.waves.amplitudes(p),
+            turns_per_s: self.waves.turns_per_s(p),
+            lean: self.waves.lean(p),
+        }
     }
 
     /// The share of the requested variance that the lattice carried before it was scaled, over all systems: 1
@@ -132,7 +160,7 @@ impl SpectralSea {
     }
 }
 
-impl Surface for SpectralSea {
+impl Surface for SpectralTile {
     fn variance_m2(&self) -> f64 {
         self.variance_m2
     }
@@ -142,7 +170,7 @@ impl Surface for SpectralSea {
     }
 }
 
-impl WaveModel for SpectralSea {
+impl WaveModel for SpectralTile {
     fn tile_size_m(&self) -> f64 {
         self.parameters.tile_size_m
     }

@@ -5,7 +5,7 @@ use super::*;
 use crate::spectrum::phillips::{Phillips, PhillipsParameters};
 use crate::statistics::Moments;
 
-const TILE: SpectralSeaParameters = SpectralSeaParameters {
+const TILE: SpectralTileParameters = SpectralTileParameters {
     tile_size_m: 250.0,
     resolution: 32,
     choppiness: 1.3,
@@ -13,7 +13,7 @@ const TILE: SpectralSeaParameters = SpectralSeaParameters {
     amplitudes: Amplitudes::Gaussian,
 };
 
-fn sea(parameters: SpectralSeaParameters) -> SpectralSea {
+fn sea(parameters: SpectralTileParameters) -> SpectralTile {
     let wind = Phillips::new(PhillipsParameters {
         wind_speed_mps: 9.0,
         toward: DVec2::from_angle(0.7),
@@ -21,11 +21,11 @@ fn sea(parameters: SpectralSeaParameters) -> SpectralSea {
         opposing_energy: 0.2,
         small_wave_cutoff_m: 0.0,
     });
-    SpectralSea::new(parameters, &[wind.unwrap()]).unwrap()
+    SpectralTile::new(parameters, &[wind.unwrap()]).unwrap()
 }
 
 /// Σ weight(|k|) |h(k, t)|² over the whole lattice, from the evolved amplitudes.
-fn spectral_sum(sea: &SpectralSea, weight: impl Fn(f64) -> f64) -> f64 {
+fn spectral_sum(sea: &SpectralTile, weight: impl Fn(f64) -> f64) -> f64 {
     let n = sea.parameters.resolution;
     let spacing = std::f64::consts::TAU / sea.parameters.tile_size_m;
     let mut sum = 0.0;
@@ -73,8 +73,8 @@ fn choppiness_sets_the_mean_down() {
 #[test]
 fn a_finer_grid_adds_waves_and_keeps_the_phases() {
     for amplitudes in [Amplitudes::Deterministic, Amplitudes::Gaussian] {
-        let coarse = sea(SpectralSeaParameters { amplitudes, ..TILE });
-        let fine = sea(SpectralSeaParameters { amplitudes, resolution: 128, ..TILE });
+        let coarse = sea(SpectralTileParameters { amplitudes, ..TILE });
+        let fine = sea(SpectralTileParameters { amplitudes, resolution: 128, ..TILE });
         let factor = (coarse.captured_fraction() / fine.captured_fraction()).sqrt();
         assert!(factor < 1.0);
         let mut compared = 0;
