@@ -10,7 +10,7 @@ use rustfft::{Fft, FftPlanner};
 use std::hint::black_box;
 use std::sync::Arc;
 use whitecap_waves::direction::toward_from_nautical;
-use whitecap_waves::model::spectral::{Amplitudes, SpectralTile, SpectralTileParameters};
+use whitecap_waves::model::spectral::{Amplitudes, Band, SpectralTile, SpectralTileParameters, Water};
 use whitecap_waves::model::{TileFields, WaveModel};
 use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
 use whitecap_waves::transform::{Complex, InverseReal2d};
@@ -29,7 +29,9 @@ fn sea(resolution: usize) -> SpectralTile {
     let parameters = SpectralTileParameters {
         tile_size_m: 400.0,
         resolution,
+        band: Band::WHOLE,
         choppiness: 1.0,
+        water: Water::STILL,
         seed: 7,
         amplitudes: Amplitudes::Deterministic,
     };

@@ -8,6 +8,7 @@
 //! | [`spectrum`] | how the sea's energy is spread over wave lengths and directions |
 //! | [`dispersion`] | how fast a wave of a given length runs |
 //! | [`model`] | surfaces in time: the [`Surface`](model::Surface) trait, the spectral sea, four sines, animated noise |
+//! | [`query`] | the surface over any places, in batches |
 //! | [`field`] | still fields from a seed: heights, normal maps and their mips |
 //! | [`statistics`] | what a surface turned out to be: moments and significant height |
 //! | [`optics`] | what its interface and its volume do to light |
@@ -27,7 +28,7 @@
 //!
 //! ```
 //! use whitecap_waves::direction::toward_from_nautical;
-//! use whitecap_waves::model::spectral::{Amplitudes, SpectralTile, SpectralTileParameters};
+//! use whitecap_waves::model::spectral::{Amplitudes, Band, SpectralTile, SpectralTileParameters, Water};
 //! use whitecap_waves::model::{TileFields, WaveModel};
 //! use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
 //! use whitecap_waves::statistics::{Moments, significant_height_m};
@@ -43,7 +44,9 @@
 //!     SpectralTileParameters {
 //!         tile_size_m: 400.0,
 //!         resolution: 64,
+//!         band: Band::WHOLE,
 //!         choppiness: 1.0,
+//!         water: Water::STILL,
 //!         seed: 7,
 //!         amplitudes: Amplitudes::Deterministic,
 //!     },
@@ -71,6 +74,7 @@ mod error;
 pub mod field;
 pub mod model;
 pub mod optics;
+pub mod query;
 mod random;
 pub mod spectrum;
 pub mod statistics;

@@ -7,8 +7,12 @@
 //! | m0 | ∫∫Ψ d²k, the variance of the surface elevation | m² |
 
 use glam::DVec2;
+use std::f64::consts::TAU;
 
 pub mod phillips;
+mod profile;
+
+pub use profile::Profile;
 
 /// A directional spectrum of surface waves over the wave-number plane.
 ///
@@ -47,6 +51,15 @@ pub trait WaveSpectrum: Send + Sync {
 
     /// m0 in m²: the integral of [`density_m4`](Self::density_m4) over the whole plane.
     fn variance_m2(&self) -> f64;
+
+    /// ∮Ψ k dθ in m³, the density over wave number alone, at `k` > 0 in rad/m. By itself it takes the mean of 72
+    /// directions; a spectrum that knows it should say it.
+    fn omnidirectional_m3(&self, k: f64) -> f64 {
+        const DIRECTIONS: u32 = 72;
+        let toward = |i: u32| k * DVec2::from_angle(TAU * f64::from(i) / f64::from(DIRECTIONS));
+        let sum: f64 = (0..DIRECTIONS).map(|i| self.density_m4(toward(i))).sum();
+        TAU * k * sum / f64::from(DIRECTIONS)
+    }
 }
 
 impl<T: WaveSpectrum + ?Sized> WaveSpectrum for &T {
@@ -56,6 +69,9 @@ impl<T: WaveSpectrum + ?Sized> WaveSpectrum for &T {
     fn variance_m2(&self) -> f64 {
         (**self).variance_m2()
     }
+    fn omnidirectional_m3(&self, k: f64) -> f64 {
+        (**self).omnidirectional_m3(k)
+    }
 }
 
 impl<T: WaveSpectrum + ?Sized> WaveSpectrum for Box<T> {
@@ -64,5 +80,8 @@ impl<T: WaveSpectrum + ?Sized> WaveSpectrum for Box<T> {
     }
     fn variance_m2(&self) -> f64 {
         (**self).variance_m2()
+    }
+    fn omnidirectional_m3(&self, k: f64) -> f64 {
+        (**self).omnidirectional_m3(k)
     }
 }

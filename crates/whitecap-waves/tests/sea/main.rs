@@ -8,7 +8,7 @@ mod travel;
 
 use glam::DVec2;
 use std::f64::consts::TAU;
-use whitecap_waves::model::spectral::{Amplitudes, SpectralTile, SpectralTileParameters};
+use whitecap_waves::model::spectral::{Amplitudes, Band, SpectralTile, SpectralTileParameters, Water};
 use whitecap_waves::spectrum::WaveSpectrum;
 use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
 
@@ -23,7 +23,9 @@ const WIND: PhillipsParameters = PhillipsParameters {
 const TILE: SpectralTileParameters = SpectralTileParameters {
     tile_size_m: 400.0,
     resolution: 64,
+    band: Band::WHOLE,
     choppiness: 1.0,
+    water: Water::STILL,
     seed: 7,
     amplitudes: Amplitudes::Deterministic,
 };
