@@ -1,10 +1,12 @@
 //! The laws that a spectral sea obeys, one file for each kind.
 
+mod cascades;
 mod energy;
 mod fitting;
 mod geometry;
 mod threads;
 mod travel;
+mod water;
 
 use glam::DVec2;
 use std::f64::consts::TAU;
@@ -52,7 +54,8 @@ impl OneWave {
 impl WaveSpectrum for OneWave {
     fn density_m4(&self, k: DVec2) -> f64 {
         let spacing = TAU / self.tile_size_m;
-        if k.distance(self.k()) < 0.5 * spacing { self.variance_m2 / (spacing * spacing) } else { 0.0 }
+        let inside = (k - self.k()).abs().max_element() < 0.5 * spacing;
+        if inside { self.variance_m2 / (spacing * spacing) } else { 0.0 }
     }
     fn variance_m2(&self) -> f64 {
         self.variance_m2
