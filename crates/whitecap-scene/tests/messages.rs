@@ -136,7 +136,8 @@ fn unknown_keys() {
     assert_eq!(
         message("tile_size_m", "tile_sise_m = 100.0"),
         "storm.toml:5: sea.tile_sise_m: unknown key; did you mean \"tile_size_m\"? \
-         accepted here: amplitudes, choppiness, model, resolution, system, tile_size_m"
+         accepted here: amplitudes, cascade, cascades, choppiness, current_mps, current_toward_deg, depth_m, loop_s, \
+         model, resolution, shortest_wave_m, surface_tension, system, tile_size_m"
     );
     assert_eq!(
         message("[meshuggah]", "[meshuga]"),

@@ -47,8 +47,16 @@ fn a_scene_says_what_its_file_says() {
         seed: 7,
         sea: Sea {
             model: SeaModel::Spectral(SpectralSettings {
-                tile_size_m: 120.0,
-                resolution: 128,
+                depth_m: None,
+                surface_tension: false,
+                current_mps: 0.0,
+                current_toward_deg: 0.0,
+                loop_s: None,
+                cascades: Some(1),
+                tile_size_m: Some(120.0),
+                resolution: Some(128),
+                shortest_wave_m: 0.1,
+                cascade: None,
                 choppiness: 1.0,
                 amplitudes: Amplitudes::Gaussian,
                 system: vec![System::Phillips(PhillipsSystem {

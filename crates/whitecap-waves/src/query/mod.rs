@@ -43,7 +43,11 @@ pub enum QueryError {
 }
 
 /// Refuses places and times that are not finite.
-pub(crate) fn check(places_m: &[DVec2], time_s: f64) -> Result<(), QueryError> {
+///
+/// # Errors
+///
+/// [`QueryError::NoPlace`] for the first such place, [`QueryError::NoTime`].
+pub fn check(places_m: &[DVec2], time_s: f64) -> Result<(), QueryError> {
     if !time_s.is_finite() {
         return Err(QueryError::NoTime { time_s });
     }

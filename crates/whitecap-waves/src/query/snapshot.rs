@@ -25,7 +25,7 @@ use glam::{DMat2, DVec2, DVec3, Vec4};
 /// # })?;
 /// use whitecap_waves::query::Snapshot;
 ///
-/// let budget = CascadeBudget { shortest_wave_m: 1.0, cascades: 2, resolution: 64 };
+/// let budget = CascadeBudget { tile_size_m: None, shortest_wave_m: 1.0, cascades: 2, resolution: 64 };
 /// let sea = SpectralSea::new(
 ///     SpectralSeaParameters {
 ///         cascades: Cascade::plan(&[spectrum], budget),

@@ -62,7 +62,8 @@ fn a_query_is_the_direct_sum() {
     for wind_speed_mps in [3.0, 8.0, 15.0, 25.0] {
         let spectrum = wind_sea(wind_speed_mps);
         let length = wind_speed_mps * wind_speed_mps / crate::GRAVITY_MPS2;
-        let budget = CascadeBudget { shortest_wave_m: 0.002 * length, cascades: 3, resolution: 64 };
+        let budget =
+            CascadeBudget { tile_size_m: None, shortest_wave_m: 0.002 * length, cascades: 3, resolution: 64 };
         let several = sea(Cascade::plan(&[spectrum], budget), spectrum, Water::STILL);
         let one = sea(vec![Cascade::whole(40.0 * length, 64)], spectrum, current);
         for (surface, time_s) in [(several, 1e6), (one, -12.3)] {

@@ -13,7 +13,8 @@ use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
 use whitecap_waves::spectrum::{Profile, WaveSpectrum};
 use whitecap_waves::statistics::Moments;
 
-const BUDGET: CascadeBudget = CascadeBudget { shortest_wave_m: 0.05, cascades: 4, resolution: 128 };
+const BUDGET: CascadeBudget =
+    CascadeBudget { tile_size_m: None, shortest_wave_m: 0.05, cascades: 4, resolution: 128 };
 
 fn wind_sea(wind_speed_mps: f64) -> Phillips {
     Phillips::new(PhillipsParameters { wind_speed_mps, ..WIND }).expect("a spectrum within its ranges")

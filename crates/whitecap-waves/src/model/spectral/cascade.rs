@@ -20,6 +20,8 @@ pub struct Cascade {
 /// What a plan of cascades has to keep to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CascadeBudget {
+    /// The side of the first tile in metres; `None` for eight wavelengths of the longest peak.
+    pub tile_size_m: Option<f64>,
     /// The shortest wave that is wanted, in metres: what a viewer can still see, or a hull feel.
     pub shortest_wave_m: f64,
     /// The most tiles, 1 to 8.
@@ -79,7 +81,8 @@ impl Cascade {
         let counts = systems.iter().filter(|system| system.variance_m2() > LEAST_SHARE * total);
         let longest = counts.map(|system| TAU / Profile::of(system).peak_wave_number()).fold(0.0, f64::max);
         // A flat sea has no peak.
-        let first = if longest > 0.0 { (PEAK_WAVELENGTHS * longest).ceil() } else { 100.0 };
+        let by_the_peak = if longest > 0.0 { (PEAK_WAVELENGTHS * longest).ceil() } else { 100.0 };
+        let first = budget.tile_size_m.unwrap_or(by_the_peak);
 
         let n = budget.resolution;
         let waves_per_tile = n as f64 / SAMPLES_PER_WAVE;
@@ -88,8 +91,7 @@ impl Cascade {
         let wanted = 1 + (span.ln() / most.ln()).ceil() as usize;
         let count = wanted.clamp(1, budget.cascades.clamp(1, Self::MOST));
         if count == 1 {
-            let band = Band { from: 0.0, to: TAU * waves_per_tile / first };
-            return vec![Self { tile_size_m: first, resolution: n, band }];
+            return vec![Self::whole(first, n)];
         }
         // The golden ratio's hundredth keeps a whole ratio off whole numbers.
         let ratio = span.powf(1.0 / (count - 1) as f64).clamp(1.5, most) * 0.993_819_66;
@@ -115,7 +117,8 @@ mod tests {
         .unwrap()
     }
 
-    const BUDGET: CascadeBudget = CascadeBudget { shortest_wave_m: 0.05, cascades: 4, resolution: 256 };
+    const BUDGET: CascadeBudget =
+        CascadeBudget { tile_size_m: None, shortest_wave_m: 0.05, cascades: 4, resolution: 256 };
 
     #[test]
     fn bands_meet_without_gap_or_overlap() {
@@ -157,6 +160,8 @@ mod tests {
         assert_eq!(one.len(), 1);
         let short_of_money = Cascade::plan(&[wind_sea(20.0)], CascadeBudget { cascades: 2, ..BUDGET });
         assert_eq!(short_of_money.len(), 2);
+        let given = Cascade::plan(&[wind_sea(20.0)], CascadeBudget { tile_size_m: Some(77.0), ..BUDGET });
+        assert_eq!(given[0].tile_size_m, 77.0);
         let flat: [Phillips; 0] = [];
         assert_eq!(Cascade::plan(&flat, BUDGET)[0].tile_size_m, 100.0);
     }
