@@ -249,7 +249,7 @@ fn contradictions() {
     assert_eq!(
         message("tile_size_m", "tile_size_m = 1"),
         "storm.toml:5: sea.tile_size_m = 1: a tile of 1 m with 64 samples a side carries only 0 % of the \
-         energy of wave system 0: its waves are too long; a tile of 202 m is large enough"
+         energy of wave system 0: its waves are too long; a tile of 201 m is large enough"
     );
     assert_eq!(
         message("from_deg", "from_deg = 250.0\nsmall_wave_cutoff_m = 9.5"),
