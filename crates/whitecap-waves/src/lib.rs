@@ -6,6 +6,7 @@
 //! | module | what it holds |
 //! | --- | --- |
 //! | [`spectrum`] | how the sea's energy is spread over wave lengths and directions |
+//! | [`spreading`] | how waves of one frequency are spread over directions |
 //! | [`dispersion`] | how fast a wave of a given length runs |
 //! | [`model`] | surfaces in time: the [`Surface`](model::Surface) trait, the spectral sea, four sines, animated noise |
 //! | [`field`] | still fields from a seed: heights, normal maps and their mips |
@@ -73,6 +74,7 @@ pub mod model;
 pub mod optics;
 mod random;
 pub mod spectrum;
+pub mod spreading;
 pub mod statistics;
 pub mod transform;
 mod turns;
