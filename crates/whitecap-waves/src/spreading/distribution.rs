@@ -136,27 +136,22 @@ fn ln_half_cosine_scale(s: f64) -> f64 {
     ln_ratio - libm::log(2.0 * PI.sqrt())
 }
 
-/// −ln ∫ lobe · cos²ˢ(θ/2) dθ. The lobes are even, and smooth from 0 to where they end: Simpson's rule there, good to
-/// 5e-6.
+/// −ln ∫ lobe · cos²ˢ(θ/2) dθ. The lobes are even, and smooth from 0 to where they end, but for the power of
+/// cos(θ/2), which has a cusp at π: Simpson's rule over t with θ = end (1 − (1 − t)²), good to 1e-6.
 fn ln_numerical_scale(lobe: &Lobe, swell_exponent: f64) -> f64 {
     const STEPS: u32 = 128;
     let end = match lobe {
         Lobe::CosSquared | Lobe::TwoWay { .. } => FRAC_PI_2,
         Lobe::HalfCosine { .. } | Lobe::Sech { .. } => PI,
     };
-    let step = end / f64::from(STEPS);
-    let sum: f64 = (0..=STEPS)
+    let step = 1.0 / f64::from(STEPS);
+    // At the end itself dθ/dt is 0.
+    let sum: f64 = (0..STEPS)
         .map(|i| {
-            let weight = match i {
-                // cos θ at a quarter turn rounds to either side of 0, where `TwoWay` steps to 0.
-                STEPS => 1.0,
-                0 => 1.0,
-                i if i % 2 == 1 => 4.0,
-                _ => 2.0,
-            };
-            let (sin, cos) = libm::sincos(f64::from(i) * step);
-            let cos = if i == STEPS && end < PI { f64::MIN_POSITIVE } else { cos };
-            weight * lobe.times_exp(swell_exponent * ln_half(cos, sin), cos, sin)
+            let weight = if i == 0 { 1.0 } else { 2.0 + 2.0 * f64::from(i % 2) };
+            let to_end = 1.0 - f64::from(i) * step;
+            let (sin, cos) = libm::sincos(end * (1.0 - to_end * to_end));
+            2.0 * end * to_end * weight * lobe.times_exp(swell_exponent * ln_half(cos, sin), cos, sin)
         })
         .sum();
     -libm::log(2.0 * sum * step / 3.0)

@@ -94,7 +94,8 @@ fn a_density_by_hand() {
     }
 }
 
-/// The table against the formula wherever there is energy, for the sharpest spectra.
+/// The table against the formula wherever there is energy, for the sharpest spectra. No place is the peak itself,
+/// where Hasselmann's law steps and either side is right.
 #[test]
 fn the_table_is_the_formula() {
     let sharp = Jonswap::from_height_and_period(2.0, 11.0, 10.0).unwrap();
@@ -111,7 +112,7 @@ fn the_table_is_the_formula() {
             let spectrum = Directional::new(&*sea, east(spreading, 0.3, water)).unwrap();
             let peak = formula(&spectrum, DVec2::new(spectrum.peak_wave_number, 0.0));
             for i in 0..3000 {
-                let k = spectrum.peak_wave_number * (-1.3 + 0.004 * f64::from(i)).exp();
+                let k = spectrum.peak_wave_number * (-1.3005 + 0.004 * f64::from(i)).exp();
                 for theta in [0.0, 0.4, -1.2, 1.5, 2.5] {
                     let k = k * DVec2::from_angle(theta);
                     let (found, expected) = (spectrum.density_m4(k), formula(&spectrum, k));
