@@ -128,7 +128,7 @@ impl Distribution {
 fn ln_half_cosine_scale(s: f64) -> f64 {
     // Beyond, the difference of the two logarithms loses digits, and Stirling's series is exact:
     // Γ(s + 1)/Γ(s + ½) = √s (1 + 1/(8s) + 1/(128s²) − …).
-    let ln_ratio = if s > 1e4 {
+    let ln_ratio = if s > 1e3 {
         0.5 * libm::log(s) + libm::log1p((1.0 + 1.0 / (16.0 * s)) / (8.0 * s))
     } else {
         libm::lgamma(s + 1.0) - libm::lgamma(s + 0.5)
