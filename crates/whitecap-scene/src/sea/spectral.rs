@@ -46,7 +46,7 @@ impl SpectralSettings {
     pub(super) fn build(&self, seed: u64) -> Result<SeaSurface, SceneError> {
         let systems = self.system.iter().enumerate().map(|(index, system)| {
             let key = |field: &str| format!("sea.system[{index}].{field}");
-            system.build().map_err(|error| problem(&error, key))
+            system.build(&whitecap_waves::dispersion::Dispersion::DEEP).map_err(|error| problem(&error, key))
         });
         let systems = systems.collect::<Result<Vec<_>, _>>()?;
         let parameters = SpectralTileParameters {
