@@ -196,6 +196,10 @@ fn every_other_value_is_refused() {
 fn defaults_are_what_is_read_without_the_key() {
     for doc in reference() {
         let WhenAbsent::Default(default) = &doc.when_absent else { continue };
+        // It needs a depth, and scenes have deep water.
+        if doc.only_with == Some(("spectrum", "tma")) {
+            continue;
+        }
         let mut scene = scene_with_table_of(&doc);
         table_of(&doc, &mut scene).remove(doc.key);
         let without = Scene::from_toml(&scene.to_string(), "without").unwrap();

@@ -12,6 +12,10 @@ const SHARPEST: f64 = 7.0;
 /// (Nelson, *Appl. Ocean Res.* 16, 1994, finds 0.55 for single waves on a level bottom).
 const HIGHEST_OVER_DEPTH: f64 = 0.6;
 
+/// Where on the way between JONSWAP's short fetches and the open ocean growth ends is not known to better than a
+/// factor: only beyond so many times the fetch of the fully developed sea is something said.
+const FULL_FETCHES: f64 = 2.0;
+
 /// What is unusual about a sea: how it was asked for, its significant height, its peak period and its γ.
 pub(super) fn about(
     asked: &Asked,
@@ -44,9 +48,9 @@ pub(super) fn about(
     }
     if let Ok(Way::Wind { speed_mps, fetch_m: Some(fetch_m) }) = asked.way() {
         let full_m = fully_developed_fetch_m(speed_mps);
-        if fetch_m > 1.001 * full_m {
+        if fetch_m > FULL_FETCHES * full_m {
             warnings.push(format!(
-                "fetch_km = {}: a wind of {speed_mps:.1} m/s has raised its sea in full after {:.0} km; over more \
+                "fetch_km = {}: a wind of {speed_mps:.1} m/s has raised its sea in full after about {:.0} km; over more \
                  water the formulas go on growing, the sea does not",
                 fetch_m / 1000.0,
                 full_m / 1000.0
