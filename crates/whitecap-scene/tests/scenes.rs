@@ -60,7 +60,10 @@ fn a_scene_says_what_its_file_says() {
                 choppiness: 1.0,
                 amplitudes: Amplitudes::Gaussian,
                 system: vec![System::Phillips(PhillipsSystem {
-                    wind_speed_mps: 8.0,
+                    wind_speed_mps: Some(8.0),
+                    peak_period_s: None,
+                    sea_state: None,
+                    beaufort: None,
                     from_deg: 250.0,
                     significant_height_m: Some(0.5),
                     opposing_energy: 0.0,

@@ -113,41 +113,39 @@ fn evaluate(criterion: &mut Criterion, name: &str, n: usize) {
     });
 }
 
-/// Everything but what two threads do runs in a pool of one, so that both sides are what one core does.
-fn synthesis(criterion: &mut Criterion) {
+/// What one core does: the sea and the bare transforms.
+fn alone(criterion: &mut Criterion, n: usize) {
+    evaluate(criterion, "sea", n);
+    let mut yardstick = Yardstick::new(n);
+    let mut transform = InverseReal2d::new(n).expect("a good size");
+    let spectra: Vec<_> = (0..FIELDS).map(|_| spectrum(n)).collect();
+    let mut outs = vec![vec![0.0; n * n]; FIELDS];
+    group(criterion, "realfft", n).bench_function(BenchmarkId::from_parameter(n), |bencher| {
+        bencher.iter(|| {
+            for (half, out) in spectra.iter().zip(&mut outs) {
+                yardstick.process(black_box(half), out);
+            }
+            black_box(&outs);
+        });
+    });
+    group(criterion, "bare", n).bench_function(BenchmarkId::from_parameter(n), |bencher| {
+        bencher.iter(|| {
+            for (half, out) in spectra.iter().zip(&mut outs) {
+                transform.process(black_box(half), out);
+            }
+            black_box(&outs);
+        });
+    });
+}
+
+/// For each size first what one thread does, then what two do.
+fn main() {
     let pool =
         |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("as many threads");
     let (one, two) = (pool(1), pool(2));
     for n in SIZES {
-        one.install(|| evaluate(criterion, "sea", n));
-        let mut yardstick = Yardstick::new(n);
-        let mut transform = InverseReal2d::new(n).expect("a good size");
-        let spectra: Vec<_> = (0..FIELDS).map(|_| spectrum(n)).collect();
-        let mut outs = vec![vec![0.0; n * n]; FIELDS];
-        one.install(|| {
-            group(criterion, "realfft", n).bench_function(BenchmarkId::from_parameter(n), |bencher| {
-                bencher.iter(|| {
-                    for (half, out) in spectra.iter().zip(&mut outs) {
-                        yardstick.process(black_box(half), out);
-                    }
-                    black_box(&outs);
-                });
-            });
-            group(criterion, "bare", n).bench_function(BenchmarkId::from_parameter(n), |bencher| {
-                bencher.iter(|| {
-                    for (half, out) in spectra.iter().zip(&mut outs) {
-                        transform.process(black_box(half), out);
-                    }
-                    black_box(&outs);
-                });
-            });
-        });
-        two.install(|| evaluate(criterion, "sea-two-threads", n));
+        one.install(|| alone(&mut Criterion::default().configure_from_args(), n));
+        two.install(|| evaluate(&mut Criterion::default().configure_from_args(), "sea-two-threads", n));
     }
-}
-
-fn main() {
-    let mut criterion = Criterion::default().configure_from_args();
-    synthesis(&mut criterion);
-    criterion.final_summary();
+    Criterion::default().configure_from_args().final_summary();
 }

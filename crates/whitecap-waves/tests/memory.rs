@@ -2,7 +2,8 @@
 
 use glam::DVec2;
 use whitecap_waves::model::spectral::{
-    Amplitudes, Band, Cascade, SpectralSea, SpectralSeaParameters, SpectralTile, SpectralTileParameters, Water,
+    Amplitudes, Band, Cascade, SpectralSea, SpectralSeaParameters, SpectralTile, SpectralTileParameters,
+    Water,
 };
 use whitecap_waves::model::{TileFields, WaveModel};
 use whitecap_waves::query::Snapshot;

@@ -138,9 +138,10 @@ impl SpectralSettings {
     ///
     /// If the settings of a system contradict each other.
     pub fn spectra(&self) -> Result<Vec<Box<dyn WaveSpectrum>>, SceneError> {
+        let dispersion = self.water()?.dispersion;
         let spectrum = |(index, system): (usize, &System)| {
             let key = |field: &str| format!("sea.system[{index}].{field}");
-            system.build().map_err(|error| problem(&error, key))
+            system.build(&dispersion).map_err(|error| problem(&error, key))
         };
         self.system.iter().enumerate().map(spectrum).collect()
     }
@@ -199,7 +200,12 @@ impl SpectralSettings {
                 self.remedy(sea, &Profile::of(spectrum)),
             ))
         };
-        sea.captured_fractions().into_iter().zip(&spectra).enumerate().filter_map(lost).collect()
+        let unusual = self.system.iter().enumerate().flat_map(|(index, system)| {
+            let warnings = system.warnings(&sea.parameters().water.dispersion);
+            warnings.into_iter().map(move |warning| format!("sea.system[{index}]: {warning}"))
+        });
+        let lost = sea.captured_fractions().into_iter().zip(&spectra).enumerate().filter_map(lost);
+        unusual.chain(lost).collect()
     }
 
     /// What would make the rest of a spectrum fit.

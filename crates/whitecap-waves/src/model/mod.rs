@@ -8,6 +8,7 @@ mod fields;
 pub mod perlin;
 pub mod sines;
 pub mod spectral;
+pub mod trochoidal;
 
 pub use calm::Calm;
 pub use fields::TileFields;
