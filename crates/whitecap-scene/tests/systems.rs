@@ -144,7 +144,7 @@ fn warnings_about_seas_that_are_not_found() {
         "spectrum = 'jonswap'; significant_height_m = 1.2; peak_period_s = 13; gamma = 7",
         "spectrum = 'jonswap'; beaufort = 0",
     ] {
-        assert_eq!(warnings(usual), [String::new(); 0], "{usual}");
+        assert_eq!(warnings(usual), Vec::<String>::new(), "{usual}");
     }
     let one = |lines: &str, words: &[&str]| {
         let found = warnings(lines);

@@ -169,7 +169,7 @@ fn what_cannot_be_is_refused_and_nothing_is_flat() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(32))]
+    #![proptest_config(ProptestConfig::with_cases(12))]
 
     /// Near and a thousand kilometres away, now and eleven days off.
     #[test]

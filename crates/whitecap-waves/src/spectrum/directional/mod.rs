@@ -11,7 +11,7 @@
 //! any depth.
 //!
 //! A sea asks for the density of some hundred thousand wave vectors. What depends on the wave number alone is
-//! therefore calculated once, over ln k, and interpolated (see [`table`]); what depends on the direction costs
+//! therefore calculated once, over ln k, and interpolated linearly, to 1e-4; what depends on the direction costs
 //! a logarithm and an exponential. Outside the table the formulas answer.
 
 use super::{Omnidirectional, WaveSpectrum};
