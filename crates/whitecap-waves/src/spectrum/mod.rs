@@ -9,6 +9,7 @@
 use glam::DVec2;
 
 pub mod phillips;
+pub mod tabulated;
 
 /// A directional spectrum of surface waves over the wave-number plane.
 ///
