@@ -139,6 +139,11 @@ fn norm2(a: [f64; 2]) -> f64 {
     a[0] * a[0] + a[1] * a[1]
 }
 
+/// cos^{2s}((θ − θ₁)/2) as a function of θ in radians, for `s` ≥ 0; [`sampled`] scales it.
+pub fn cos2s_distribution(s: f64, mean_toward_rad: f64) -> impl Fn(f64) -> f64 {
+    move |theta| libm::pow(libm::cos(0.5 * (theta - mean_toward_rad)).abs(), 2.0 * s)
+}
+
 /// `count` directions of equal spacing over the circle, radians.
 pub fn even_directions(count: usize) -> Vec<f64> {
     (0..count).map(|i| TAU * i as f64 / count as f64).collect()

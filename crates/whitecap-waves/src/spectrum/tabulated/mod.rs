@@ -29,7 +29,7 @@ mod frequency;
 #[cfg(test)]
 mod tests;
 
-pub use directional::{DirectionMethod, DirectionalMoments, even_directions, sampled};
+pub use directional::{DirectionMethod, DirectionalMoments, cos2s_distribution, even_directions, sampled};
 
 /// What a [`Tabulated`] spectrum is made from.
 #[derive(Debug, Clone, PartialEq)]
