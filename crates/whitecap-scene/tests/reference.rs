@@ -102,6 +102,8 @@ fn values(accepts: &Accepts) -> Vec<Value> {
         Accepts::Flag => vec![false.into(), true.into()],
         Accepts::Point { min, max } => vec![array(*min), array(*max)],
         Accepts::File => vec!["sky.exr".into()],
+        Accepts::Name => vec!["44097".into(), "a b".into()],
+        Accepts::Time => vec!["2022-09-12T06:00:00Z".into(), "2024-02-29T23:59".into()],
         _ => vec![],
     }
 }
@@ -126,6 +128,8 @@ fn outside(accepts: &Accepts) -> Vec<Value> {
         Accepts::Flag => vec![1.into(), "true".into()],
         Accepts::Point { max: [x, y, z], .. } => vec![vec![*x, y.next_up(), *z].into()],
         Accepts::File => vec!["".into(), "a\0b".into()],
+        Accepts::Name => vec!["".into()],
+        Accepts::Time => vec!["".into(), "2023-02-29T00:00:00Z".into(), "2022-09-12".into()],
         _ => vec![],
     }
 }

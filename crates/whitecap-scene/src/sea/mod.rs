@@ -17,6 +17,8 @@ pub use wave::Wave;
 
 pub(crate) use wave::KEYS as WAVE_KEYS;
 
+use std::path::PathBuf;
+
 use crate::error::SceneError;
 use crate::reader::{TableReader, quoted_list};
 use crate::registry::{Registered, Tag, TagDefault};
@@ -86,6 +88,15 @@ impl Sea {
             ));
         }
         table.tagged(&tag).map(|model| Self { model })
+    }
+
+    /// The files that it is read from.
+    pub(crate) fn files_mut(&mut self) -> impl Iterator<Item = &mut PathBuf> {
+        let systems = match &mut self.model {
+            SeaModel::Spectral(settings) => settings.system.as_mut_slice(),
+            _ => &mut [],
+        };
+        systems.iter_mut().filter_map(system::System::file_mut)
     }
 
     /// The moving surface itself. Equal settings and seeds give equal surfaces.

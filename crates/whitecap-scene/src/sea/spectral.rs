@@ -46,7 +46,8 @@ impl SpectralSettings {
     pub(super) fn build(&self, seed: u64) -> Result<SeaSurface, SceneError> {
         let systems = self.system.iter().enumerate().map(|(index, system)| {
             let key = |field: &str| format!("sea.system[{index}].{field}");
-            system.build().map_err(|error| problem(&error, key))
+            let water = whitecap_waves::dispersion::Dispersion::DEEP;
+            system.build(&format!("sea.system[{index}]"), &water, |error| problem(error, key))
         });
         let systems = systems.collect::<Result<Vec<_>, _>>()?;
         let parameters = SpectralTileParameters {
