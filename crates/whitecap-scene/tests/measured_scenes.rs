@@ -17,12 +17,14 @@ YYYY MM DD hh mm  .100  .110  .120
 2020 06 08 04 50    MM    MM    MM
 ";
 
+const CAMERA: &str = "[camera]\nposition_m = [0.0, 5.0, 0.0]\nlook_at_m = [50.0, 0.0, 0.0]\n";
+
 fn write(folder: &Path, system: &str) -> std::path::PathBuf {
     std::fs::create_dir_all(folder.join("data")).unwrap();
     std::fs::write(folder.join("data/buoy.txt"), HISTORY).unwrap();
     let scene = folder.join("storm.toml");
     let sea = "technique = \"meshuggah\"\n[sea]\ntile_size_m = 600.0\nresolution = 128\n[[sea.system]]\n";
-    std::fs::write(&scene, format!("{sea}{system}\n")).unwrap();
+    std::fs::write(&scene, format!("{sea}{system}\n{CAMERA}")).unwrap();
     scene
 }
 
@@ -113,7 +115,7 @@ fn errors_name_the_line_of_the_scene_and_the_file() {
 fn text_is_read_without_its_files() {
     let text = "technique = \"meshuggah\"\n[[sea.system]]\nmeasured = \"no.spec\"\ntime = \"2022-09-12T06:00\"\n\
                 direction_method = \"longuet-higgins\"\n";
-    let scene = Scene::from_toml(text, "text").unwrap();
+    let scene = Scene::from_toml(&format!("{text}{CAMERA}"), "text").unwrap();
     let SeaModel::Spectral(settings) = &scene.sea.model else { panic!("another sea") };
     let System::Measured(system) = &settings.system[0] else { panic!("another system") };
     assert_eq!(system.measured, Path::new("no.spec"));
