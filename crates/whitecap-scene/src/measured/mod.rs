@@ -7,8 +7,9 @@
 //! | WAVEWATCH III point output of spectra | a table |
 //! | SWAN standard spectral file, version 1 | a table, or mean and spread |
 //!
-//! Files are told apart by their first line. A single value that is missing counts as no energy; a record without any
-//! value is kept as [`Energy::Missing`]. Memory is set aside for what a file holds, not for what its header claims.
+//! Files are told apart by their first line. A single value that is missing counts as no energy; a record
+//! without any value is kept as [`Energy::Missing`]. Memory is set aside for what a file holds, not for what
+//! its header claims.
 
 mod error;
 mod ndbc;
@@ -85,7 +86,8 @@ pub fn from_bytes(bytes: &[u8], name: &str) -> Result<Vec<MeasuredSea>, Measured
     }
 }
 
-/// Reads NDBC real-time densities with their directions: the bytes of `.swdir`, `.swdir2`, `.swr1` and `.swr2`.
+/// Reads NDBC real-time densities with their directions: the bytes of `.swdir`, `.swdir2`, `.swr1` and
+/// `.swr2`.
 ///
 /// # Errors
 ///

@@ -58,8 +58,8 @@ fn sector(toward_rad: &[f64]) -> Option<Sector> {
     (count >= 3 && widest > 2.5 * step).then_some(Sector { first, last, step })
 }
 
-/// A table whose directions cover only a sector, with a direction without energy on either side of it, so that
-/// nothing is interpolated across the rest of the circle.
+/// A table whose directions cover only a sector, with a direction without energy on either side of it, so
+/// that nothing is interpolated across the rest of the circle.
 pub(super) fn with_closed_sector(toward_rad: &[f64], density: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let Some(Sector { first, last, step }) = sector(toward_rad) else {
         return (toward_rad.to_vec(), density.to_vec());

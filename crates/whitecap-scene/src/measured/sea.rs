@@ -111,8 +111,9 @@ pub struct Directions {
 impl MeasuredSea {
     /// m0 in m² by the sum that the format's makers take themselves: Hs is 4√m0 of it. 0 without waves.
     ///
-    /// NDBC takes each value for the whole of its band. WAVEWATCH III takes the trapezoidal rule in frequency and
-    /// equal steps in direction, SWAN equal steps of direction and of the logarithm of frequency, without its tail.
+    /// NDBC takes each value for the whole of its band. WAVEWATCH III takes the trapezoidal rule in
+    /// frequency and equal steps in direction, SWAN equal steps of direction and of the logarithm of
+    /// frequency, without its tail.
     pub fn variance_m2(&self) -> f64 {
         let widths = match self.source {
             Format::NdbcRealTime | Format::NdbcHistory => quadrature::bands(&self.frequencies_hz),
@@ -219,8 +220,8 @@ fn nearest_known(frequencies_hz: &[f64], moments: &[Option<DirectionalMoments>])
     frequencies_hz.iter().map(|hz| nearest(*hz)).collect()
 }
 
-/// The direction of travel, in radians from east towards south, of waves from a bearing in degrees clockwise from
-/// north: from north they go south, a quarter turn from east.
+/// The direction of travel, in radians from east towards south, of waves from a bearing in degrees clockwise
+/// from north: from north they go south, a quarter turn from east.
 pub(super) fn toward_rad(from_deg: f64) -> f64 {
     ((from_deg % 360.0).to_radians() + FRAC_PI_2) % TAU
 }

@@ -46,7 +46,7 @@ pub fn select<'a>(
     // Newest first. Without times the last in the file counts as the newest.
     records.reverse();
     records.sort_by_key(|sea| std::cmp::Reverse(sea.time));
-    let found = match selection.when {
+    match selection.when {
         When::Newest => {
             let count = records.len();
             records.iter().find(|sea| sea.has_waves()).copied().ok_or_else(|| MeasuredProblem::NoWaves {
@@ -72,8 +72,7 @@ pub fn select<'a>(
             let count = records.len();
             records.get(asked).copied().ok_or(MeasuredProblem::NoSuchRecord { asked, count })
         }
-    };
-    found
+    }
 }
 
 fn no_such_place(seas: &[MeasuredSea], asked: &str) -> MeasuredProblem {

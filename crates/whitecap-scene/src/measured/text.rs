@@ -132,7 +132,8 @@ impl<'a> Text<'a> {
     }
 }
 
-/// A finite number as Fortran writes it: with `D` for `E`, or without either where the exponent has three digits.
+/// A finite number as Fortran writes it: with `D` for `E`, or without either where the exponent has three
+/// digits.
 pub(super) fn number(word: &str) -> Option<f64> {
     let parse = |word: &str| word.parse::<f64>().ok().filter(|number| number.is_finite());
     // "inf" and "nan" parse, and are not finite; nothing else of letters does.

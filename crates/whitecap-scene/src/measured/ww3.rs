@@ -1,10 +1,10 @@
 //! WAVEWATCH III point output of spectra (`ww3_outp`, transfer file; *User Manual and System Documentation of
 //! WAVEWATCH III*, "Point output post-processor").
 //!
-//! A header with the counts, the frequencies in Hz and the directions; then for each time a line of date and clock,
-//! and for each point a line with its name, latitude, longitude, depth, wind and current, and E(f, θ) in m²/(Hz rad),
-//! frequencies within directions. The file's directions are radians clockwise from north that waves travel towards:
-//! the program turns its own, which run from east, before it writes them.
+//! A header with the counts, the frequencies in Hz and the directions; then for each time a line of date and
+//! clock, and for each point a line with its name, latitude, longitude, depth, wind and current, and E(f, θ)
+//! in m²/(Hz rad), frequencies within directions. The file's directions are radians clockwise from north
+//! that waves travel towards: the program turns its own, which run from east, before it writes them.
 
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
@@ -76,8 +76,8 @@ fn energy(text: &Text<'_>, values: &[f64], toward_rad: &Arc<[f64]>) -> Result<En
     Ok(Energy::Directional { toward_rad: Arc::clone(toward_rad), density })
 }
 
-/// A point: its name in quotes, which may hold blanks, latitude and longitude; the columns may touch where a number
-/// is negative.
+/// A point: its name in quotes, which may hold blanks, latitude and longitude; the columns may touch where a
+/// number is negative.
 fn place(line: &str, number_from_1: usize) -> Option<Place> {
     let (name, rest) = in_quotes(line)?;
     let spaced = rest.replace('-', " -");

@@ -1,4 +1,5 @@
-//! Any bytes, and good files that were damaged: a record of a sound sea or an error on one line, never a panic.
+//! Any bytes, and good files that were damaged: a record of a sound sea or an error on one line, never a
+//! panic.
 
 use proptest::prelude::*;
 use whitecap_scene::measured::{Directions, Energy};
@@ -24,6 +25,10 @@ fn check(read: Result<Vec<MeasuredSea>, whitecap_scene::measured::MeasuredError>
     }
 }
 
+/// What a good file gets in place of a piece of it.
+const WORDS: [&str; 12] =
+    ["", " ", "\n", "-1", "1e300", "999", "NaN", "0", "99999999999999999999", "'", "ZERO\n", "é"];
+
 proptest! {
     #[test]
     fn any_bytes(bytes in prop::collection::vec(any::<u8>(), 0..400), start in 0..4_usize) {
@@ -34,21 +39,22 @@ proptest! {
 
     #[test]
     fn damaged_files(
-        which in 0..4_usize, at in 0.0..1.0_f64, cut in 0..40_usize,
-        word in prop::sample::select(vec!["", " ", "\n", "-1", "1e300", "999", "NaN", "0", "99999999999999999999", "'", "ZERO\n", "é"]),
+        which in 0..4_usize, at in 0.0..1.0_f64, cut in 0..40_usize, word in prop::sample::select(WORDS.to_vec()),
     ) {
         let text = [DATA_SPEC, HISTORY, WW3, SWAN][which];
         let at = (at * text.len() as f64) as usize;
         let end = (at + cut).min(text.len());
         let damaged = [&text[..at], word, &text[end..]].concat();
         check(from_bytes(damaged.as_bytes(), "file"));
-        check(from_bytes(text[..at].as_bytes(), "file"));
+        check(from_bytes(&text.as_bytes()[..at], "file"));
         let directions = DIRECTIONS.map(str::as_bytes);
         check(from_bytes_with_directions(damaged.as_bytes(), directions, "file"));
     }
 
     #[test]
-    fn damaged_directions(which in 0..4_usize, at in 0.0..1.0_f64, cut in 0..40_usize, digit in "[0-9.() ]{0,3}") {
+    fn damaged_directions(
+        which in 0..4_usize, at in 0.0..1.0_f64, cut in 0..40_usize, digit in "[0-9.() ]{0,3}",
+    ) {
         let text = DIRECTIONS[which];
         let at = (at * text.len() as f64) as usize;
         let end = (at + cut).min(text.len());

@@ -1,5 +1,5 @@
-//! Measured seas: small files of every format with sums that can be done by hand, the choice of a record, and files
-//! that lie, end early or hold what is no sea.
+//! Measured seas: small files of every format with sums that can be done by hand, the choice of a record,
+//! and files that lie, end early or hold what is no sea.
 
 #![allow(clippy::unwrap_used, reason = "a helper of tests may fail as a test may")]
 
@@ -119,7 +119,8 @@ pub(crate) fn spectrum(sea: &MeasuredSea, directions: Directions) -> Tabulated {
     sea.spectrum(&directions, &Dispersion::DEEP).unwrap()
 }
 
-/// The mean direction that waves come from, degrees, and r₁, by a sum over the table's own points and between.
+/// The mean direction that waves come from, degrees, and r₁, by a sum over the table's own points and
+/// between.
 pub(crate) fn mean_from_deg(spectrum: &Tabulated) -> (f64, f64) {
     let frequencies_hz = spectrum.frequencies_hz();
     let (low, high) = (frequencies_hz[0], frequencies_hz[frequencies_hz.len() - 1]);

@@ -34,8 +34,8 @@ fn energy(text: &Text<'_>, values: Vec<Option<f64>>) -> Result<Energy, MeasuredE
 
 const DENSITY: &str = "a density from 0 to 1000000 m²/Hz, or MM or 999 where it is missing";
 
-/// The time that a line begins with: year (of two or four digits), month, day, hour, and the minute if there is a
-/// column for it.
+/// The time that a line begins with: year (of two or four digits), month, day, hour, and the minute if there
+/// is a column for it.
 fn time<'a>(
     text: &Text<'_>,
     words: &mut impl Iterator<Item = &'a str>,

@@ -1,5 +1,5 @@
-//! Real-time spectral wave data: a value and its frequency in turn, newest record first; directions in four more
-//! files of the same form.
+//! Real-time spectral wave data: a value and its frequency in turn, newest record first; directions in four
+//! more files of the same form.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

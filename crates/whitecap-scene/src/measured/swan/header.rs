@@ -7,7 +7,8 @@ use super::super::text::number;
 use super::super::{MeasuredError, Place, Text};
 use super::{expect, first};
 
-/// The sea's density in kg/m³ that SWAN multiplies by where it writes energy instead of variance: its default.
+/// The sea's density in kg/m³ that SWAN multiplies by where it writes energy instead of variance: its
+/// default.
 const SEA_DENSITY: f64 = 1025.0;
 
 /// How directions are written.
@@ -32,7 +33,8 @@ impl Bearing {
 /// A column of the tables.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Quantity {
-    /// Density, and what makes variance in m²/Hz (and per radian, not degree, where there are directions) of it.
+    /// Density, and what makes variance in m²/Hz (and per radian, not degree, where there are directions) of
+    /// it.
     Density { factor: f64 },
     /// The mean direction.
     Mean(Bearing),

@@ -1,8 +1,8 @@
 //! SWAN standard spectral files, version 1 (*SWAN User Manual*, appendix "Spectrum files, input and output").
 //!
-//! Key words say what follows: time coding, places, frequencies, directions, quantities with their exception values;
-//! then for each time and place `FACTOR` and a table of integers, `ZERO`, `NODATA`, or without directions
-//! `LOCATION` and a table of densities, mean directions and spreads.
+//! Key words say what follows: time coding, places, frequencies, directions, quantities with their exception
+//! values; then for each time and place `FACTOR` and a table of integers, `ZERO`, `NODATA`, or without
+//! directions `LOCATION` and a table of densities, mean directions and spreads.
 
 mod header;
 mod table;

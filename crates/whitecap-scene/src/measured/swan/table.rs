@@ -84,7 +84,8 @@ fn means(text: &mut Text<'_>, header: &Header) -> Result<Energy, MeasuredError> 
     Ok(Energy::Moments { density, moments })
 }
 
-/// The moments of cos^{2s} with this spread σ: r₁ = 1 − σ²/2 (Kuik, van Vledder and Holthuijsen, 1988), s = r₁/(1 − r₁).
+/// The moments of cos^{2s} with this spread σ: r₁ = 1 − σ²/2 (Kuik, van Vledder and Holthuijsen, 1988), s =
+/// r₁/(1 − r₁).
 fn moments_of(mean_toward_rad: f64, spread_deg: f64) -> DirectionalMoments {
     let spread = spread_deg.to_radians();
     let r1 = (1.0 - 0.5 * spread * spread).clamp(0.0, DirectionalMoments::LARGEST_R1);

@@ -37,8 +37,8 @@ impl Axis {
         if !(self.points[0]..=self.points[last]).contains(&x) {
             return None;
         }
-        // Buckets follow the order of the points, so every point of an earlier bucket is below x, and every one
-        // of a later bucket above.
+        // Buckets follow the order of the points, so every point of an earlier bucket is below x, and every
+        // one of a later bucket above.
         let bucket = self.bucket(x);
         let (low, high) = (self.before[bucket], self.before[bucket + 1]);
         let not_above = low + self.points[low..high].partition_point(|&point| point <= x);
@@ -72,7 +72,8 @@ mod tests {
         /// Also where points crowd together, so that many share a bucket.
         #[test]
         fn the_interval_is_that_of_a_linear_search(
-            mut points in prop::collection::vec((-6.0..3.0_f64).prop_map(libm::exp10), 2..40), share in 0.0..1.0_f64,
+            mut points in prop::collection::vec((-6.0..3.0_f64).prop_map(libm::exp10), 2..40),
+            share in 0.0..1.0_f64,
         ) {
             points.sort_by(f64::total_cmp);
             points.dedup();

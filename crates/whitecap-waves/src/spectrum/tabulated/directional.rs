@@ -9,9 +9,9 @@
 //! | r₂, θ₂ | size of c₂, and half its angle |
 //! | φ₁, φ₂ | coefficients of the autoregressive process whose spectrum D is |
 //!
-//! Of all D with the same c₁ and c₂ the maximum-entropy method (Lygre and Krogstad, 1986, *J. Phys. Oceanogr.* 16,
-//! 2052–2060) takes the one that assumes least; Longuet-Higgins's (1963, in *Ocean Wave Spectra*) smooths
-//! the first three terms of the Fourier series until nothing is negative.
+//! Of all D with the same c₁ and c₂ the maximum-entropy method (Lygre and Krogstad, 1986, *J. Phys.
+//! Oceanogr.* 16, 2052–2060) takes the one that assumes least; Longuet-Higgins's (1963, in *Ocean Wave
+//! Spectra*) smooths the first three terms of the Fourier series until nothing is negative.
 
 use std::f64::consts::{PI, TAU};
 
@@ -31,8 +31,8 @@ pub struct DirectionalMoments {
 /// How D is made from its moments.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum DirectionMethod {
-    /// Maximum entropy (Lygre and Krogstad, 1986): has exactly the moments given. Peaks may be sharp, and a broad
-    /// distribution may come out as two peaks.
+    /// Maximum entropy (Lygre and Krogstad, 1986): has exactly the moments given. Peaks may be sharp, and a
+    /// broad distribution may come out as two peaks.
     #[default]
     MaximumEntropy,
     /// The weighted Fourier sum (Longuet-Higgins, Cartwright and Smith, 1963): keeps the directions and gives
@@ -44,8 +44,8 @@ impl DirectionalMoments {
     /// The largest r₁ that maximum entropy follows: a spread of 11°, as narrow as swell gets.
     pub const LARGEST_R1: f64 = 0.98;
 
-    /// The largest |φ₂| = |c₂ − c₁²|/(1 − r₁²) that maximum entropy follows. 1 is two infinitely narrow beams, and
-    /// more than 1 is no distribution at all.
+    /// The largest |φ₂| = |c₂ − c₁²|/(1 − r₁²) that maximum entropy follows. 1 is two infinitely narrow
+    /// beams, and more than 1 is no distribution at all.
     pub const LARGEST_PHI2: f64 = 0.95;
 
     /// The moments of D ∝ cos^{2s}((θ − θ₁)/2): r₁ = s/(s+1), r₂ = s(s−1)/((s+1)(s+2)), for `s` ≥ 0
@@ -64,10 +64,10 @@ impl DirectionalMoments {
 
     /// D as a function of θ in radians, never negative, by `method`.
     ///
-    /// Moments that contradict each other, which noise in a buoy's record brings, are brought to the nearest that
-    /// do not: if r₁ is above its limit, D is smoothed until it is there, which takes q off c₁ and q² off c₂
-    /// (Poisson's kernel); then c₂ is drawn towards c₁² until |φ₂| is within its own. For Longuet-Higgins both
-    /// limits are 1. What is not a number counts as 0.
+    /// Moments that contradict each other, which noise in a buoy's record brings, are brought to the nearest
+    /// that do not: if r₁ is above its limit, D is smoothed until it is there, which takes q off c₁ and q²
+    /// off c₂ (Poisson's kernel); then c₂ is drawn towards c₁² until |φ₂| is within its own. For
+    /// Longuet-Higgins both limits are 1. What is not a number counts as 0.
     pub fn distribution(&self, method: DirectionMethod) -> impl Fn(f64) -> f64 + use<> {
         let limits = match method {
             DirectionMethod::MaximumEntropy => [Self::LARGEST_R1, Self::LARGEST_PHI2],
@@ -149,8 +149,9 @@ pub fn even_directions(count: usize) -> Vec<f64> {
     (0..count).map(|i| TAU * i as f64 / count as f64).collect()
 }
 
-/// `distribution` on [`even_directions`]: the mean over the cell around each, so that no peak falls between two,
-/// scaled so that the mean over the circle is 1/2π whatever the shape. Flat if the distribution is 0 all round.
+/// `distribution` on [`even_directions`]: the mean over the cell around each, so that no peak falls between
+/// two, scaled so that the mean over the circle is 1/2π whatever the shape. Flat if the distribution is 0
+/// all round.
 pub fn sampled(distribution: impl Fn(f64) -> f64, count: usize) -> Vec<f64> {
     const PARTS: usize = 16;
     let part = TAU / (count * PARTS) as f64;

@@ -8,14 +8,14 @@
 //! | c_g | group speed dω/dk | m/s |
 //!
 //! f(u) is a cubic Hermite spline over equal steps of u, with f and df/du = 2u c_g/2π from the
-//! [`Dispersion`] at the knots. The slope handed out is that of the spline itself, so that ∫ E(f) (df/du) du is
-//! ∫ E df without any error from the spline.
+//! [`Dispersion`] at the knots. The slope handed out is that of the spline itself, so that ∫ E(f) (df/du) du
+//! is ∫ E df without any error from the spline.
 
 use crate::dispersion::Dispersion;
 use std::f64::consts::TAU;
 
-/// Steps of the spline: f is right to 1e-9 of itself in deep water, and to 1e-4 where the whole way from shallow to
-/// deep water lies within a few steps.
+/// Steps of the spline: f is right to 1e-9 of itself in deep water, and to 1e-4 where the whole way from
+/// shallow to deep water lies within a few steps.
 const STEPS: usize = 1024;
 
 /// f(√k) between two frequencies.
@@ -38,7 +38,8 @@ impl FrequencyCurve {
             [water.angular_frequency(k) / TAU, step * 2.0 * u * water.group_speed(k) / TAU]
         };
         let mut knots: Vec<_> = (0..=STEPS).map(knot).collect();
-        // The ends are exactly those of the table, so that its first and last frequencies are not lost to rounding.
+        // The ends are exactly those of the table, so that its first and last frequencies are not lost to
+        // rounding.
         knots[0][0] = low_hz;
         knots[STEPS][0] = high_hz;
         Self { first_u, steps_per_u: 1.0 / step, knots }

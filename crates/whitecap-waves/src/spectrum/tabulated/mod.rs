@@ -8,12 +8,12 @@
 //! | Ψ(k) | variance density over the wave-number plane | m⁴ |
 //! | c_g | group speed dω/dk | m/s |
 //!
-//! A wave system has the same energy in every description, Ψ k dk dθ = E df dθ, so Ψ(k) = E(f, θ) (df/dk)/k with
-//! df/dk = c_g/2π.
+//! A wave system has the same energy in every description, Ψ k dk dθ = E df dθ, so Ψ(k) = E(f, θ) (df/dk)/k
+//! with df/dk = c_g/2π.
 //!
-//! Between the points of the table E is linear in f and linear in θ around the circle; the integral of that is
-//! the trapezoidal rule both ways, which gives the variance. **Below the first frequency and above the last there is
-//! nothing**: no tail is added to what was measured.
+//! Between the points of the table E is linear in f and linear in θ around the circle; the integral of that
+//! is the trapezoidal rule both ways, which gives the variance. **Below the first frequency and above the
+//! last there is nothing**: no tail is added to what was measured.
 
 use super::WaveSpectrum;
 use crate::dispersion::Dispersion;
@@ -36,8 +36,8 @@ pub use directional::{DirectionMethod, DirectionalMoments, cos2s_distribution, e
 pub struct TabulatedParameters {
     /// At least two frequencies in Hz, strictly ascending, from 1e-4 to 100.
     pub frequencies_hz: Vec<f64>,
-    /// At least three directions of travel in radians from east towards south, in any order and spacing, no two the
-    /// same.
+    /// At least three directions of travel in radians from east towards south, in any order and spacing, no
+    /// two the same.
     pub toward_rad: Vec<f64>,
     /// E in m²/(Hz rad), 0..=1e9: for each frequency its directions, in the order of `toward_rad`.
     pub density: Vec<f64>,

@@ -220,7 +220,8 @@ fn contradictory_moments_are_brought_together() {
 }
 
 proptest! {
-    /// Any c₁ and φ₂ of a distribution that exists: maximum entropy has both moments, the weighted sum its shares.
+    /// Any c₁ and φ₂ of a distribution that exists: maximum entropy has both moments, the weighted sum its
+    /// shares.
     #[test]
     fn methods_keep_the_moments_they_promise(
         r1 in 0.0..0.9_f64, theta1 in -4.0..4.0_f64, phi2 in 0.0..0.85_f64, turn in -4.0..4.0_f64,
@@ -242,14 +243,16 @@ proptest! {
         }
         let (integral, found) = moments_of(moments.distribution(DirectionMethod::LonguetHiggins));
         prop_assert!((integral - 1.0).abs() < 1e-9);
-        for ((found, asked), share) in found.into_iter().zip(asked).zip([2.0 / 3.0, 2.0 / 3.0, 1.0 / 6.0, 1.0 / 6.0]) {
+        let shares = [2.0 / 3.0, 2.0 / 3.0, 1.0 / 6.0, 1.0 / 6.0];
+        for ((found, asked), share) in found.into_iter().zip(asked).zip(shares) {
             prop_assert!((found - share * asked).abs() < 1e-9, "{found} {asked}");
         }
     }
 
     #[test]
     fn any_table_is_not_negative_and_its_directions_may_come_in_any_order(
-        values in prop::collection::vec(0.0..5.0_f64, 20), turn in 0..5_usize, f in 0.03..0.4_f64, t in -9.0..9.0_f64,
+        values in prop::collection::vec(0.0..5.0_f64, 20),
+        turn in 0..5_usize, f in 0.03..0.4_f64, t in -9.0..9.0_f64,
     ) {
         let toward_rad = [0.1, 1.1, 2.6, 3.9, 5.0];
         let frequencies_hz = vec![0.05, 0.1, 0.2, 0.3];
