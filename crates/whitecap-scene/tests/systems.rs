@@ -27,7 +27,7 @@ fn system(lines: &str) -> System {
 }
 
 fn height_m(system: &System) -> f64 {
-    significant_height_m(system.build(&DEEP).unwrap().variance_m2())
+    significant_height_m(system.build("sea.system[0]", &DEEP).unwrap().variance_m2())
 }
 
 fn period_s(system: &System) -> f64 {
@@ -101,10 +101,10 @@ fn depth_lowers_the_sea() {
     });
     let height = |depth_m: f64| {
         let water = Dispersion::at_depth(depth_m).unwrap();
-        significant_height_m(shallow.build(&water).unwrap().variance_m2())
+        significant_height_m(shallow.build("sea.system[0]", &water).unwrap().variance_m2())
     };
     assert!((height(10.0) - 1.6700).abs() < 1e-4 && (height(1e4) - 2.1386).abs() < 1e-4);
-    assert!(shallow.build(&DEEP).is_err());
+    assert!(shallow.build("sea.system[0]", &DEEP).is_err());
 }
 
 /// Weather from the west runs east, and more narrowly as swell; the spreading is the one of the file.
@@ -113,7 +113,7 @@ fn directions_asked_for() {
     let density = |more: &str, angle: f64| {
         let lines = format!("spectrum = 'jonswap'; significant_height_m = 2; peak_period_s = 10; {more}");
         let k = 0.05 * DVec2::from_angle(angle);
-        system(&lines).build(&DEEP).unwrap().density_m4(k)
+        system(&lines).build("sea.system[0]", &DEEP).unwrap().density_m4(k)
     };
     assert!(density("swell = 0.0", 0.0) > 100.0 * density("swell = 0.0", 3.0));
     let share = |more: &str| density(more, 0.8) / density(more, 0.0);

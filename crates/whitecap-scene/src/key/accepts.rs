@@ -68,6 +68,10 @@ pub enum Accepts {
     },
     /// The path of a file, relative to the scene file's folder.
     File,
+    /// A name in the words of another file.
+    Name,
+    /// A moment, such as `2022-09-12T06:00:00Z`.
+    Time,
     /// A number of tables of the same name, `[[like.this]]`.
     Tables {
         /// Their name.
@@ -85,7 +89,7 @@ impl Accepts {
         match self {
             Self::Real { .. } => "a number",
             Self::Integer { .. } | Self::Integers(_) => "an integer",
-            Self::Words(_) | Self::File => "a string",
+            Self::Words(_) | Self::File | Self::Name | Self::Time => "a string",
             Self::Colour { .. } | Self::Point { .. } => "an array of 3 numbers",
             Self::Pair { .. } => "an array of 2 numbers",
             Self::WordsOrTable { .. } => "a string or a table",
@@ -124,6 +128,8 @@ impl fmt::Display for Accepts {
                 write!(f, "[x, y, z], x {x} to {to_x}, y {y} to {to_y}, z {z} to {to_z}{unit}")
             }
             Self::File => f.write_str("the path of a file, relative to the scene file"),
+            Self::Name => f.write_str("a name"),
+            Self::Time => f.write_str("a time such as 2022-09-12T06:00:00Z"),
             Self::Tables { name, min, max } if min == max => write!(f, "{min} tables [[{name}]]"),
             Self::Tables { name, min, max } => write!(f, "{min} to {max} tables [[{name}]]"),
         }

@@ -21,6 +21,8 @@ pub(crate) use cascade::KEYS as CASCADE_KEYS;
 pub(crate) use spectral::Tiling;
 pub(crate) use wave::KEYS as WAVE_KEYS;
 
+use std::path::PathBuf;
+
 use crate::error::SceneError;
 use crate::reader::{TableReader, quoted_list};
 use crate::registry::{Registered, Tag, TagDefault};
@@ -103,6 +105,15 @@ impl Sea {
             (SeaModel::Spectral(settings), SeaSurface::Spectral(sea)) => settings.warnings(sea),
             _ => Vec::new(),
         }
+    }
+
+    /// The files that it is read from.
+    pub(crate) fn files_mut(&mut self) -> impl Iterator<Item = &mut PathBuf> {
+        let systems = match &mut self.model {
+            SeaModel::Spectral(settings) => settings.system.as_mut_slice(),
+            _ => &mut [],
+        };
+        systems.iter_mut().filter_map(system::System::file_mut)
     }
 
     /// The moving surface itself. Equal settings and seeds give equal surfaces.

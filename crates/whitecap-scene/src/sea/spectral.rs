@@ -139,10 +139,8 @@ impl SpectralSettings {
     /// If the settings of a system contradict each other.
     pub fn spectra(&self) -> Result<Vec<Box<dyn WaveSpectrum>>, SceneError> {
         let dispersion = self.water()?.dispersion;
-        let spectrum = |(index, system): (usize, &System)| {
-            let key = |field: &str| format!("sea.system[{index}].{field}");
-            system.build(&dispersion).map_err(|error| problem(&error, key))
-        };
+        let spectrum =
+            |(index, system): (usize, &System)| system.build(&format!("sea.system[{index}]"), &dispersion);
         self.system.iter().enumerate().map(spectrum).collect()
     }
 
@@ -180,7 +178,7 @@ impl SpectralSettings {
         };
         match SpectralSea::new(parameters, &spectra) {
             Ok(sea) => Ok(SeaSurface::Spectral(Box::new(sea))),
-            Err(error) => Err(problem(&error, |field| format!("sea.{field}"))),
+            Err(error) => Err(problem(&error)),
         }
     }
 
@@ -233,10 +231,10 @@ impl SpectralSettings {
 }
 
 /// The sea's own complaint, under the key that it is about.
-fn problem(error: &ParameterError, key: impl Fn(&str) -> String) -> SceneError {
+fn problem(error: &ParameterError) -> SceneError {
     match error {
         ParameterError::OutOfRange { field, value, accepted } => SceneError::about_key(
-            key(field),
+            format!("sea.{field}"),
             format!("{value} is out of range for this sea; accepted: {accepted}"),
         ),
         _ => SceneError::about_key("sea.tile_size_m", error.to_string()),

@@ -3,6 +3,7 @@
 mod asked;
 mod elfouhaily;
 mod jonswap;
+mod measured;
 mod parametric;
 mod phillips;
 mod pierson_moskowitz;
@@ -10,12 +11,15 @@ mod spreading;
 mod tma;
 mod warnings;
 
+use std::path::PathBuf;
+
 use whitecap_waves::ParameterError;
 use whitecap_waves::dispersion::Dispersion;
 use whitecap_waves::spectrum::{Omnidirectional, WaveSpectrum};
 
 pub use elfouhaily::ElfouhailySystem;
 pub use jonswap::JonswapSystem;
+pub use measured::{DirectionMethod, MeasuredSystem};
 pub use phillips::PhillipsSystem;
 pub use pierson_moskowitz::PiersonMoskowitzSystem;
 pub use spreading::{Spreading, SpreadingLaw};
@@ -24,8 +28,8 @@ pub use tma::TmaSystem;
 use parametric::Parametric;
 
 use crate::error::SceneError;
-use crate::key::{Accepts, Kind};
-use crate::reader::ValueReader;
+use crate::key::{Accepts, Key, Kind};
+use crate::reader::{TableReader, ValueReader};
 use crate::registry::{Registered, Tag, TagDefault};
 
 /// One wave system, a table `[[sea.system]]`. It serialises as that table.
@@ -43,6 +47,9 @@ pub enum System {
     Elfouhaily(ElfouhailySystem),
     /// Phillips's wind sea as Tessendorf uses it.
     Phillips(PhillipsSystem),
+    /// A measured sea: `measured` stands in place of `spectrum`.
+    #[serde(untagged)]
+    Measured(MeasuredSystem),
 }
 
 /// Every spectrum.
@@ -62,17 +69,27 @@ pub(crate) const TAG: Tag<System> = Tag {
     all: SPECTRA,
 };
 
+/// The key that a measured system has in place of [`TAG`].
+pub(crate) const MEASURED: &str = "measured";
+
+/// The keys of a measured system.
+pub(crate) const MEASURED_KEYS: fn() -> Vec<Key> = MeasuredSystem::keys;
+
 impl System {
-    /// The spectrum of its waves on water with this dispersion.
+    /// The spectrum of its waves on water with this dispersion; `table` is what errors call this system, such as
+    /// `sea.system[0]`. A measured system reads its file.
     ///
     /// # Errors
     ///
-    /// If the settings contradict each other or the water, such as a spectrum of shallow water over deep water.
-    pub fn build(&self, dispersion: &Dispersion) -> Result<Box<dyn WaveSpectrum>, ParameterError> {
-        match self.form() {
+    /// If the settings contradict each other or the water, such as a spectrum of shallow water over deep water, or
+    /// the file of a measured system cannot be used.
+    pub fn build(&self, table: &str, dispersion: &Dispersion) -> Result<Box<dyn WaveSpectrum>, SceneError> {
+        let spectrum = match self.form() {
             Form::Parametric(system) => parametric::build(system, dispersion),
             Form::Phillips(system) => system.build(),
-        }
+            Form::Measured(system) => return system.build(table, dispersion),
+        };
+        spectrum.map_err(|error| problem(table, &error))
     }
 
     /// Its energy over frequency; `None` for spectra that are known over wave vectors only.
@@ -86,7 +103,7 @@ impl System {
     ) -> Result<Option<Box<dyn Omnidirectional>>, ParameterError> {
         match self.form() {
             Form::Parametric(system) => system.sea(dispersion).map(Some),
-            Form::Phillips(_) => Ok(None),
+            Form::Phillips(_) | Form::Measured(_) => Ok(None),
         }
     }
 
@@ -102,6 +119,8 @@ impl System {
                 },
             ),
             Form::Phillips(system) => system.warnings(dispersion),
+            // What was measured was there.
+            Form::Measured(_) => Vec::new(),
         }
     }
 
@@ -112,7 +131,35 @@ impl System {
             Self::Tma(system) => Form::Parametric(system),
             Self::Elfouhaily(system) => Form::Parametric(system),
             Self::Phillips(system) => Form::Phillips(system),
+            Self::Measured(system) => Form::Measured(system),
         }
+    }
+
+    /// The file that it is read from, if it is.
+    pub(crate) fn file_mut(&mut self) -> Option<&mut PathBuf> {
+        match self {
+            Self::Measured(system) => Some(&mut system.measured),
+            _ => None,
+        }
+    }
+
+    fn read(table: &TableReader<'_>) -> Result<Self, SceneError> {
+        if table.has(MEASURED) {
+            return MeasuredSystem::read_checked(table).map(Self::Measured);
+        }
+        table.tagged(&TAG)
+    }
+}
+
+/// A spectrum's own complaint, under the key that it is about.
+fn problem(table: &str, error: &ParameterError) -> SceneError {
+    match error {
+        ParameterError::OutOfRange { field, value, accepted } => SceneError::about_key(
+            format!("{table}.{field}"),
+            format!("{value} is out of range for this sea; accepted: {accepted}"),
+        ),
+        ParameterError::NeedsDepth => SceneError::about_key("sea.depth_m", error.to_string()),
+        _ => SceneError::about_key(table, error.to_string()),
     }
 }
 
@@ -122,6 +169,8 @@ enum Form<'a> {
     Parametric(&'a dyn Parametric),
     /// Phillips's, over wave vectors.
     Phillips(&'a PhillipsSystem),
+    /// Read from a file, over frequency and direction.
+    Measured(&'a MeasuredSystem),
 }
 
 /// One to eight wave systems.
@@ -144,6 +193,6 @@ impl Kind for Systems {
         if !(1..=Self::MAX).contains(&systems.len()) {
             return Err(value.error(format!("found {}; accepted: {}", systems.len(), self.accepts())));
         }
-        systems.into_iter().map(|system| system.table()?.tagged(&TAG)).collect()
+        systems.into_iter().map(|system| System::read(&system.table()?)).collect()
     }
 }
