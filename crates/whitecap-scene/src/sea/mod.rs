@@ -13,12 +13,11 @@ pub use calm::CalmSettings;
 pub use cascade::Cascade;
 pub use perlin::PerlinSettings;
 pub use sines::{SinesSettings, Taylor};
-pub use spectral::{Amplitudes, SpectralSettings};
+pub use spectral::{Amplitudes, SpectralSettings, Tiling};
 pub use surface::SeaSurface;
 pub use wave::Wave;
 
 pub(crate) use cascade::KEYS as CASCADE_KEYS;
-pub(crate) use spectral::Tiling;
 pub(crate) use wave::KEYS as WAVE_KEYS;
 
 use std::path::PathBuf;
@@ -34,6 +33,10 @@ pub struct Sea {
     /// What moves the surface, with its settings.
     #[serde(flatten)]
     pub model: SeaModel,
+    /// How the scene's technique draws a spectral sea where the file leaves it open. It is not part of what the file
+    /// says.
+    #[serde(skip)]
+    pub tiling: Tiling,
 }
 
 /// A model of the moving surface, with its settings.
@@ -91,11 +94,11 @@ impl Sea {
                 ),
             ));
         }
-        let mut model = table.tagged(&tag)?;
-        if let SeaModel::Spectral(settings) = &mut model {
-            settings.complete(table, technique.word(), &technique.tiling())?;
+        let (model, tiling) = (table.tagged(&tag)?, technique.tiling());
+        if let SeaModel::Spectral(settings) = &model {
+            settings.check(table, technique.word(), &tiling)?;
         }
-        Ok(Self { model })
+        Ok(Self { model, tiling })
     }
 
     /// Where `surface`, built from this sea, bends what was asked for, such as energy that its tiles cannot carry:
@@ -124,7 +127,7 @@ impl Sea {
     /// from a file has been built once, so it builds again.
     pub fn build(&self, seed: u64) -> Result<SeaSurface, SceneError> {
         match &self.model {
-            SeaModel::Spectral(settings) => settings.build(seed),
+            SeaModel::Spectral(settings) => settings.build(&self.tiling, seed),
             SeaModel::Sines(settings) => settings.build(),
             SeaModel::Perlin(settings) => settings.build(seed),
             SeaModel::Calm(settings) => Ok(settings.build()),

@@ -75,7 +75,7 @@ impl Technique {
     }
 
     /// How many tiles of a spectral sea it draws.
-    pub(crate) fn tiling(&self) -> Tiling {
+    pub fn tiling(&self) -> Tiling {
         Tiling { cascades: 1, resolution: 64 }
     }
 

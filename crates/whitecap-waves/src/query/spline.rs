@@ -151,7 +151,7 @@ mod tests {
                 assert_eq!(value(&grid, &Taps::at(place, side), &Taps::at(7.3, side)), found.value);
                 (square, count) = (square + 2.0 * error * error, count + 1.0);
             }
-            let error: f64 = (square / count as f64).sqrt();
+            let error = f64::sqrt(square / count);
             assert!(error < 1.1 * bound, "{turns}: {error}");
             assert!(error > 0.5 * bound || turns < 0.1, "{turns}: {error}");
         }

@@ -136,6 +136,14 @@ impl WaveSpectrum for Phillips {
     fn variance_m2(&self) -> f64 {
         self.variance_m2
     }
+
+    fn omnidirectional_m3(&self, k: f64) -> f64 {
+        // cos² has the mean ½ over each half plane.
+        let around = FRAC_PI_2 * (1.0 + self.opposing_energy);
+        let scale2 = self.length_scale_m * self.length_scale_m;
+        let damping2 = self.small_wave_cutoff_m * self.small_wave_cutoff_m;
+        self.amplitude * libm::exp(-1.0 / (k * k * scale2) - k * k * damping2) / (k * k * k) * around
+    }
 }
 
 /// 2a K₁(2a) for 0 ≤ `a` ≤ 1: the share of the variance that the damping leaves.

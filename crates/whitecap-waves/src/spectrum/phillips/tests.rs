@@ -152,3 +152,26 @@ proptest! {
         prop_assert!(density.is_finite() && density >= 0.0);
     }
 }
+
+#[test]
+fn the_density_over_wave_number_is_that_over_all_directions() {
+    let spectrum = Phillips::new(PhillipsParameters {
+        wind_speed_mps: 7.0,
+        toward: DVec2::from_angle(0.3),
+        significant_height_m: Some(1.5),
+        opposing_energy: 0.4,
+        small_wave_cutoff_m: 0.2,
+    })
+    .unwrap();
+    for k in [0.1, 0.5, 4.0] {
+        let directions = 3600;
+        let density = |i: i32| {
+            spectrum.density_m4(
+                k * DVec2::from_angle(std::f64::consts::TAU * f64::from(i) / f64::from(directions)),
+            )
+        };
+        let sum =
+            (0..directions).map(density).sum::<f64>() * std::f64::consts::TAU / f64::from(directions) * k;
+        assert!((spectrum.omnidirectional_m3(k) / sum - 1.0).abs() < 1e-6);
+    }
+}
