@@ -8,6 +8,7 @@ mod failure;
 mod headless;
 mod memory;
 mod png;
+mod sheet;
 mod stages;
 mod stdout;
 mod whole_file;

@@ -17,6 +17,8 @@ pub use wave::Wave;
 
 pub(crate) use wave::KEYS as WAVE_KEYS;
 
+use whitecap_waves::spectrum::WaveSpectrum;
+
 use crate::error::SceneError;
 use crate::reader::{TableReader, quoted_list};
 use crate::registry::{Registered, Tag, TagDefault};
@@ -101,5 +103,19 @@ impl Sea {
             SeaModel::Perlin(settings) => settings.build(seed),
             SeaModel::Calm(settings) => Ok(settings.build()),
         }
+    }
+
+    /// The spectra that the waves are drawn from, one for each `[[sea.system]]`; none where a sea has no such.
+    ///
+    /// # Errors
+    ///
+    /// As [`build`](Self::build).
+    pub fn spectra(&self) -> Result<Vec<Box<dyn WaveSpectrum>>, SceneError> {
+        let SeaModel::Spectral(settings) = &self.model else { return Ok(Vec::new()) };
+        let built = settings.system.iter().enumerate().map(|(index, system)| {
+            let key = || format!("sea.system[{index}]");
+            system.build().map_err(|error| SceneError::about_key(key(), error.to_string()))
+        });
+        built.collect()
     }
 }

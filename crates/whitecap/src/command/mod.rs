@@ -10,6 +10,7 @@ mod options;
 mod probe;
 mod render;
 mod scenes;
+mod spectrum;
 
 use crate::failure::Failure;
 use std::process::ExitCode;
@@ -38,6 +39,7 @@ pub(crate) enum Verb {
     Render(render::Render),
     Gallery(gallery::Gallery),
     Probe(probe::Probe),
+    Spectrum(spectrum::Spectrum),
     Bench(bench::Bench),
     Check(check::Check),
     Scenes(scenes::Scenes),
@@ -53,6 +55,7 @@ impl Verb {
             Verb::Render(render) => render.run(started),
             Verb::Gallery(gallery) => gallery.run(started),
             Verb::Probe(probe) => probe.run(),
+            Verb::Spectrum(spectrum) => spectrum.run(),
             Verb::Bench(bench) => bench.run(),
             Verb::Check(check) => check.run(),
             Verb::Scenes(scenes) => scenes.run(),
@@ -68,6 +71,7 @@ impl Verb {
             Verb::Render(render) => render.json,
             Verb::Gallery(gallery) => gallery.json,
             Verb::Probe(probe) => probe.json,
+            Verb::Spectrum(spectrum) => spectrum.json,
             Verb::Bench(bench) => bench.json,
             Verb::Check(check) => check.json,
             Verb::Scenes(scenes) => scenes.json,
