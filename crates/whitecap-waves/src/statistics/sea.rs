@@ -103,7 +103,7 @@ impl SeaStatistics {
 
     /// Te = Tm−1,0 = 2π m₋₁/m0 in s, the period of the sine with the height and the power of the sea.
     pub fn energy_period_s(&self) -> Option<f64> {
-        ratio(self.moments.minus_1, self.moments.m0).map(|ratio| TAU * ratio)
+        ratio(self.moments.minus_1, self.moments.m0).filter(|&ratio| ratio > 0.0).map(|ratio| TAU * ratio)
     }
 
     /// The unit vector of the mean direction of travel; `None` where waves run all ways alike.

@@ -30,7 +30,7 @@ impl Numbers {
             significant_height_m: height_m,
             peak_period_s: systems.peak_period_s(),
             m0_m2: height_m.map(|height_m| height_m * height_m / 16.0),
-            mean_direction_from_deg: systems.from_deg(),
+            mean_direction_from_deg: systems.bearing_deg(),
             ..Self::default()
         }
     }

@@ -50,7 +50,8 @@ impl Systems {
         self.alone().and_then(|system| system.peak_period_s)
     }
 
-    pub(super) fn from_deg(&self) -> Option<f64> {
+    /// Where the one system comes from.
+    pub(super) fn bearing_deg(&self) -> Option<f64> {
         self.alone().and_then(|system| system.from_deg).map(|from_deg| from_deg % 360.0)
     }
 

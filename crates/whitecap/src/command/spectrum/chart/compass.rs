@@ -42,9 +42,9 @@ pub(super) fn draw<DB: DrawingBackend>(figure: &Figure<'_>, area: &Area<DB>) -> 
         }
     }
     draw_compass(area)?;
-    draw_rings(area, last_hz)?;
-    if let Some(toward) = figure.theory.statistics().mean_toward() {
-        let from = nautical_from_toward(toward);
+    let from = figure.theory.statistics().mean_toward().map(nautical_from_toward);
+    draw_rings(area, last_hz, names_at(from))?;
+    if let Some(from) = from {
         let tip = vec![at(RADIUS - 14.0, from), at(RADIUS + 22.0, from - 2.6), at(RADIUS + 22.0, from + 2.6)];
         area.draw(&Polygon::new(tip, SURFACE.filled()))?;
     }
@@ -81,8 +81,13 @@ fn draw_compass<DB: DrawingBackend>(area: &Area<DB>) -> Drawn<DB> {
     Ok(())
 }
 
-/// Rings at whole steps of frequency, with their names along the north-east.
-fn draw_rings<DB: DrawingBackend>(area: &Area<DB>, last_hz: f64) -> Drawn<DB> {
+/// The bearing where rings have their names: opposite to where the waves come from, between two rays.
+fn names_at(from: Option<f64>) -> f64 {
+    from.map_or(15.0, |from| ((from + 180.0) / 30.0).floor() * 30.0 + 15.0)
+}
+
+/// Rings at whole steps of frequency, with their names along a bearing.
+fn draw_rings<DB: DrawingBackend>(area: &Area<DB>, last_hz: f64, names_at: f64) -> Drawn<DB> {
     let step_hz = step(last_hz);
     let count = (last_hz / step_hz).floor() as u32;
     for i in 1..=count {
@@ -95,7 +100,7 @@ fn draw_rings<DB: DrawingBackend>(area: &Area<DB>, last_hz: f64) -> Drawn<DB> {
         let frequency_hz = step_hz * f64::from(i);
         let name = format!("{frequency_hz:.0$}", decimals(step_hz));
         let name = if i == count { format!("{name} Hz") } else { name };
-        let place = at(RADIUS * frequency_hz / last_hz - 4.0, 15.0);
+        let place = at(RADIUS * frequency_hz / last_hz, names_at);
         area.draw(&Text::new(name, place, written(LABEL, INK, Anchor::Middle)))?;
     }
     Ok(())
