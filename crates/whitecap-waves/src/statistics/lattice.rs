@@ -7,9 +7,10 @@
 //! | h(k, t) | Fourier coefficient of the height | m |
 //! | a, b | of the waves towards k and towards −k at time t | m |
 //! | δ | time between two looks at the surface | s |
+//! | U | current | m/s |
 //!
 //! One look cannot tell a wave from its like that runs the other way. Two can: h(t) = a + b and
-//! h(t + δ) = a e^{−iωδ} + b e^{+iωδ}, so a = (h(t) e^{+iωδ} − h(t + δ)) / (2i sin ωδ). The waves towards k have the
+//! h(t + δ) = a e^{−iωδ} + b e^{+iωδ}, once the current's turn e^{−ik·Uδ} of both is taken back, so a = (h(t) e^{+iωδ} − h(t + δ)) / (2i sin ωδ). The waves towards k have the
 //! energy 2|a|²: half of it stands at −k, as the surface is real.
 
 use super::{DirectionalSum, SpectralMoments};
@@ -36,11 +37,12 @@ pub struct LatticeWaves {
 }
 
 impl LatticeWaves {
-    /// Looks at `tile` twice, at `time_s` and shortly after. The waves must run as `dispersion` says; `fields` is
-    /// left as at `time_s`.
+    /// Looks at `tile` twice, at `time_s` and shortly after. The waves must run as `dispersion` says in water that
+    /// the current carries; `fields` is left as at `time_s`.
     pub fn measure(
         tile: &mut dyn WaveModel,
         dispersion: Dispersion,
+        current_mps: DVec2,
         time_s: f64,
         fields: &mut TileFields,
     ) -> Self {
@@ -60,12 +62,15 @@ impl LatticeWaves {
                 if (p, q) == (0, 0) {
                     continue;
                 }
-                let omega = dispersion.angular_frequency(spacing * libm::hypot(f64::from(p), f64::from(q)));
+                let k = spacing * DVec2::new(f64::from(p), f64::from(q));
+                let omega = dispersion.angular_frequency(k.length());
+                let (carried_sin, carried_cos) = libm::sincos(k.dot(current_mps) * delta_s);
+                let carried_back = Complex::new(carried_cos, carried_sin);
                 let (sin, cos) = libm::sincos(omega * delta_s);
                 // Where transforms keep negative numbers.
                 let stored = q.rem_euclid(n as i32) as usize * n + p.rem_euclid(n as i32) as usize;
-                let towards =
-                    (now[stored] * Complex::new(cos, sin) - later[stored]) / Complex::new(0.0, 2.0 * sin);
+                let towards = (now[stored] * Complex::new(cos, sin) - later[stored] * carried_back)
+                    / Complex::new(0.0, 2.0 * sin);
                 energy_m2[((q + half) * n as i32 + p + half) as usize] = 2.0 * towards.norm_sqr();
             }
         }

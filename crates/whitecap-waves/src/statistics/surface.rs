@@ -28,18 +28,19 @@ pub struct SurfaceStatistics {
 }
 
 impl SurfaceStatistics {
-    /// Measures the sum of `tiles` at `time_s`. Their waves must run as `dispersion` says, and be independent of
-    /// each other: then cumulants add.
+    /// Measures the sum of `tiles` at `time_s`. Their waves must run as `dispersion` says in water that the current
+    /// carries (zero for none), and be independent of each other: then cumulants add.
     pub fn measure<'a>(
         tiles: impl IntoIterator<Item = &'a mut dyn WaveModel>,
         dispersion: Dispersion,
+        current_mps: DVec2,
         time_s: f64,
     ) -> Self {
         let mut fields = TileFields::default();
         let (mut variance_m2, mut third, mut fourth) = (0.0, 0.0, 0.0);
         let (mut slope, mut waves) = (SlopeVariance::default(), Vec::new());
         for tile in tiles {
-            waves.push(LatticeWaves::measure(tile, dispersion, time_s, &mut fields));
+            waves.push(LatticeWaves::measure(tile, dispersion, current_mps, time_s, &mut fields));
             let height = Moments::of(&fields.height);
             variance_m2 += height.variance;
             third += height.skewness * height.variance * height.variance.sqrt();

@@ -220,7 +220,12 @@ fn a_synthesised_surface_is_the_sea_of_its_spectrum() {
         let spectrum = wind(8.0, toward_from_nautical(from_deg));
         let mut tile = tile(500.0, 128, spectrum);
         let theory = PolarSpectrum::of(&[spectrum], Dispersion::DEEP, WaveBand::ALL).unwrap();
-        let surface = SurfaceStatistics::measure([&mut tile as &mut dyn WaveModel], Dispersion::DEEP, 12.5);
+        let surface = SurfaceStatistics::measure(
+            [&mut tile as &mut dyn WaveModel],
+            Dispersion::DEEP,
+            DVec2::ZERO,
+            12.5,
+        );
         let (expected, found) = (theory.statistics(), &surface.sea);
         near(found.significant_height_m(), expected.significant_height_m(), 1e-3);
         let turn = nautical_from_toward(found.mean_toward().unwrap()) - from_deg;
@@ -239,7 +244,8 @@ fn a_synthesised_surface_is_the_sea_of_its_spectrum() {
 fn rings_of_the_lattice_follow_the_spectrum() {
     let spectrum = west_wind(10.0);
     let mut tile = tile(1500.0, 256, spectrum);
-    let surface = SurfaceStatistics::measure([&mut tile as &mut dyn WaveModel], Dispersion::DEEP, 0.0);
+    let surface =
+        SurfaceStatistics::measure([&mut tile as &mut dyn WaveModel], Dispersion::DEEP, DVec2::ZERO, 0.0);
     let samples =
         PolarSpectrum::of(&[spectrum], Dispersion::DEEP, WaveBand::ALL).unwrap().frequency_spectrum();
     let mut compared = 0;
@@ -300,7 +306,8 @@ fn a_sine_goes_where_it_goes() {
     let omega = Dispersion::DEEP.angular_frequency(TAU / 20.0);
     for (speed, toward) in [(omega, DVec2::Y), (-omega, -DVec2::Y)] {
         let mut sine = Sine { speed };
-        let surface = SurfaceStatistics::measure([&mut sine as &mut dyn WaveModel], Dispersion::DEEP, 3.0);
+        let surface =
+            SurfaceStatistics::measure([&mut sine as &mut dyn WaveModel], Dispersion::DEEP, DVec2::ZERO, 3.0);
         near(surface.sea.moments.m0, 0.5, 1e-6);
         near(surface.kurtosis, 1.5, 1e-5);
         near(surface.sea.slope.zz, 0.5 * (TAU / 20.0).powi(2), 1e-5);
@@ -311,16 +318,32 @@ fn a_sine_goes_where_it_goes() {
     // Two independent sines: variances and cumulants add, and opposite ones have no direction.
     let (mut there, mut back) = (Sine { speed: omega }, Sine { speed: -omega });
     let tiles = [&mut there as &mut dyn WaveModel, &mut back];
-    let surface = SurfaceStatistics::measure(tiles, Dispersion::DEEP, 0.0);
+    let surface = SurfaceStatistics::measure(tiles, Dispersion::DEEP, DVec2::ZERO, 0.0);
     near(surface.sea.moments.m0, 1.0, 1e-6);
     near(surface.kurtosis, 2.25, 1e-5);
     assert!(surface.sea.directions.r1() < 1e-4, "{}", surface.sea.directions.r1());
 }
 
+/// A current that is faster than the waves carries them backwards over the ground, and they are still what they are.
+#[test]
+fn a_current_does_not_change_where_waves_go_in_the_water() {
+    let k = TAU / 20.0;
+    let omega = Dispersion::DEEP.angular_frequency(k);
+    for current in [-12.0, -3.0, 3.0, 12.0] {
+        let mut sine = Sine { speed: omega + k * current };
+        let current_mps = DVec2::new(5.0, current);
+        let surface =
+            SurfaceStatistics::measure([&mut sine as &mut dyn WaveModel], Dispersion::DEEP, current_mps, 3.0);
+        near(surface.sea.moments.m0, 0.5, 1e-6);
+        assert!(surface.sea.mean_toward().unwrap().distance(DVec2::Y) < 1e-6);
+        assert!(surface.sea.spread_rad().unwrap() < 1e-2, "{current} m/s");
+    }
+}
+
 #[test]
 fn calm_water_has_nothing() {
     let still: [&mut dyn WaveModel; 0] = [];
-    let surface = SurfaceStatistics::measure(still, Dispersion::DEEP, 0.0);
+    let surface = SurfaceStatistics::measure(still, Dispersion::DEEP, DVec2::ZERO, 0.0);
     assert_eq!((surface.sea, surface.kurtosis, surface.bins.len()), (SeaStatistics::default(), 0.0, 0));
     let nothing: [Phillips; 0] = [];
     let parameters = SpectralTileParameters {
@@ -331,6 +354,7 @@ fn calm_water_has_nothing() {
         amplitudes: Amplitudes::Deterministic,
     };
     let mut tile = SpectralTile::new(parameters, &nothing).unwrap();
-    let surface = SurfaceStatistics::measure([&mut tile as &mut dyn WaveModel], Dispersion::DEEP, 0.0);
+    let surface =
+        SurfaceStatistics::measure([&mut tile as &mut dyn WaveModel], Dispersion::DEEP, DVec2::ZERO, 0.0);
     assert_eq!((surface.sea, surface.kurtosis, surface.bins.len()), (SeaStatistics::default(), 0.0, 0));
 }

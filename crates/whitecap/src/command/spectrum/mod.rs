@@ -14,6 +14,7 @@ use anyhow::anyhow;
 use chart::{Figure, Kind};
 use clap::ValueHint;
 use clap::builder::{PathBufValueParser, TypedValueParser};
+use glam::DVec2;
 use measure::Measured;
 use report::Report;
 use std::path::PathBuf;
@@ -79,14 +80,14 @@ impl Spectrum {
                 scene.sea.model.word()
             )));
         }
-        let dispersion = Dispersion::DEEP;
+        let (dispersion, current_mps) = (Dispersion::DEEP, DVec2::ZERO);
         let theory = if spectra.is_empty() {
             None
         } else {
             let theory = PolarSpectrum::of(&spectra, dispersion, WaveBand::ALL);
             Some(theory.map_err(|error| Failure::Input(anyhow!("{}: {error}", self.scene)))?)
         };
-        let measured = Measured::of(&mut scene.sea.build(scene.seed)?, dispersion, self.time);
+        let measured = Measured::of(&mut scene.sea.build(scene.seed)?, dispersion, current_mps, self.time);
         let systems = Systems::of(&scene.sea);
         let report = Report::new(&self.scene, &scene, self.time, &systems, theory.as_ref(), &measured);
         if let (Some((kind, file)), Some(theory), Measured::Tiles(surface)) = (chart, &theory, &measured) {
