@@ -46,11 +46,11 @@ impl DirectionalSum {
 /// The second moments of the surface's slope.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct SlopeVariance {
-    /// E[sx²], of the slope to the east.
+    /// The mean of sx², the square of the slope to the east.
     pub xx: f64,
-    /// E[sx sz].
+    /// The mean of sx sz.
     pub xz: f64,
-    /// E[sz²], of the slope to the south.
+    /// The mean of sz², the square of the slope to the south.
     pub zz: f64,
 }
 
