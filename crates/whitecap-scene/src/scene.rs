@@ -42,6 +42,9 @@ pub struct Scene {
     pub panorama: Option<Arc<Panorama>>,
     /// The objects with their meshes, if there are any and the scene came from a file. They are not part of what the file says.
     pub models: Option<Vec<Model>>,
+    /// Where its sea bends what the file asks for, one sentence each, as far as it was built when it was read. They are
+    /// not part of what the file says.
+    pub warnings: Vec<String>,
 }
 
 /// Reads the scene that `name_or_path` says: a named scene, or else a file.
@@ -89,7 +92,7 @@ impl Scene {
                     *file = folder.join(&file);
                 }
             }
-            scene.sea.build(scene.seed)?;
+            scene.build_once()?;
             if let Sky::Panorama(sky) = &scene.sky {
                 let picture =
                     sky.load().map_err(|error| SceneError::about_key("sky.file", error.to_string()))?;
@@ -111,7 +114,7 @@ impl Scene {
         Self::read_text(text, origin, |scene| {
             // What its files hold is for `load` to say, which knows where they are.
             if scene.sea.files_mut().next().is_none() {
-                scene.sea.build(scene.seed)?;
+                scene.build_once()?;
             }
             Ok(())
         })
@@ -160,7 +163,15 @@ impl Scene {
             sea,
             panorama: None,
             models: None,
+            warnings: Vec::new(),
         })
+    }
+
+    /// Sees whether the sea can be built, and what it bends.
+    fn build_once(&mut self) -> Result<(), SceneError> {
+        let surface = self.sea.build(self.seed)?;
+        self.warnings = self.sea.warnings(&surface);
+        Ok(())
     }
 
     /// The objects with their meshes: those that were read with the file, or read now.

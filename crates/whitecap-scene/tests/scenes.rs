@@ -81,6 +81,7 @@ fn a_scene_says_what_its_file_says() {
         panorama: None,
         objects: Vec::new(),
         models: None,
+        warnings: Vec::new(),
     };
     assert_eq!(Scene::from_toml(text, "small").unwrap(), expected);
     assert!(named::find(named::DEFAULT).is_some());

@@ -22,6 +22,9 @@ pub(crate) use wave::KEYS as WAVE_KEYS;
 
 use std::path::PathBuf;
 
+use whitecap_waves::model::spectral::Water;
+use whitecap_waves::spectrum::WaveSpectrum;
+
 use crate::error::SceneError;
 use crate::reader::{TableReader, quoted_list};
 use crate::registry::{Registered, Tag, TagDefault};
@@ -101,6 +104,18 @@ impl Sea {
         Ok(Self { model, tiling })
     }
 
+    /// What the waves of a spectral sea run in; still and deep for another.
+    ///
+    /// # Errors
+    ///
+    /// As [`SpectralSettings::water`].
+    pub fn water(&self) -> Result<Water, SceneError> {
+        match &self.model {
+            SeaModel::Spectral(settings) => settings.water(),
+            _ => Ok(Water::STILL),
+        }
+    }
+
     /// Where `surface`, built from this sea, bends what was asked for, such as energy that its tiles cannot carry:
     /// one sentence each, with the figure and what to change.
     pub fn warnings(&self, surface: &SeaSurface) -> Vec<String> {
@@ -131,6 +146,18 @@ impl Sea {
             SeaModel::Sines(settings) => settings.build(),
             SeaModel::Perlin(settings) => settings.build(seed),
             SeaModel::Calm(settings) => Ok(settings.build()),
+        }
+    }
+
+    /// The spectra that the waves are drawn from, one for each `[[sea.system]]`; none where a sea has no such.
+    ///
+    /// # Errors
+    ///
+    /// As [`build`](Self::build).
+    pub fn spectra(&self) -> Result<Vec<Box<dyn WaveSpectrum>>, SceneError> {
+        match &self.model {
+            SeaModel::Spectral(settings) => settings.spectra(),
+            _ => Ok(Vec::new()),
         }
     }
 }
