@@ -25,6 +25,9 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::technique::five_sample::stages", "five_sample_stages", &[]),
     ("package::technique::five_sample::dome", "five_sample_dome", &[]),
     ("package::technique::five_sample::twins", "five_sample_twins", &[]),
+    ("package::surface::compute::evolve", "spectral_evolve", &[]),
+    ("package::surface::compute::columns", "spectral_columns", &[]),
+    ("package::surface::compute::rows", "spectral_rows", &[]),
     ("package::shader_lib::twins", "twins", &[]),
     ("package::shader_lib::sines_twins", "sines_twins", &[]),
 ];

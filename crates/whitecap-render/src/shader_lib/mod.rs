@@ -69,6 +69,12 @@ shaders! {
     FIVE_SAMPLE_DOME = "five_sample_dome";
     /// Its functions on a buffer of inputs.
     FIVE_SAMPLE_TWINS = "five_sample_twins";
+    /// The spectral sea: its waves at a moment.
+    SPECTRAL_EVOLVE = "spectral_evolve";
+    /// Its spectra, transformed along the columns.
+    SPECTRAL_COLUMNS = "spectral_columns";
+    /// Its fields.
+    SPECTRAL_ROWS = "spectral_rows";
     /// Every shared function on a buffer of inputs.
     TWINS = "twins";
     /// The sum of sines on a buffer of inputs.

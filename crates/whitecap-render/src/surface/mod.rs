@@ -1,6 +1,7 @@
 //! How a wave model reaches the GPU.
 
 mod bump_map;
+mod compute;
 mod sines;
 mod tile_maps;
 
