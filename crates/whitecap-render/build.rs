@@ -28,6 +28,11 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::surface::compute::evolve", "spectral_evolve", &[]),
     ("package::surface::compute::columns", "spectral_columns", &[]),
     ("package::surface::compute::rows", "spectral_rows", &[]),
+    ("package::surface::compute::mesh_maps", "spectral_mesh_maps", &[]),
+    ("package::surface::compute::normal_map", "spectral_normal_map", &[]),
+    ("package::surface::compute::mips", "spectral_mips", &[]),
+    ("package::surface::compute::lost_variance", "spectral_lost_variance", &[]),
+    ("package::surface::compute::twins", "spectral_twins", &[]),
     ("package::shader_lib::twins", "twins", &[]),
     ("package::shader_lib::sines_twins", "sines_twins", &[]),
 ];
