@@ -11,7 +11,7 @@ use crate::surface::tile_maps::TileTextures;
 use wgpu::BindingResource::TextureView;
 
 /// Bytes of `Moments` in `level.wesl`.
-const MOMENTS_BYTES: u64 = 48;
+pub(super) const MOMENTS_BYTES: u64 = 48;
 
 /// Layout twin of `GpuLevel` in `level.wesl`.
 #[repr(C)]

@@ -30,8 +30,7 @@ use crate::shader_lib;
 use crate::surface::tile_maps::TileTextures;
 use gpu::{Pass, storage, uniform};
 use maps::MapPasses;
-use waves::{GpuMoment, GpuTile};
-use whitecap_waves::model::WaveModel;
+use waves::{GpuMoment, WaveConstants, twiddles};
 use whitecap_waves::model::spectral::SpectralTile;
 
 /// Complex numbers that a workgroup transforms, as in `transform.wesl`.
@@ -74,7 +73,7 @@ impl SpectralMaps {
         tile: &SpectralTile,
         textures: &TileTextures,
     ) -> SpectralMaps {
-        let fields = SpectralFields::new(device, queue, tile);
+        let fields = SpectralFields::new(device, queue, &WaveConstants::of(tile));
         let passes = MapPasses::new(device, queue, &fields, textures);
         SpectralMaps { fields, passes }
     }
@@ -102,19 +101,18 @@ pub(super) struct SpectralFields {
 }
 
 impl SpectralFields {
-    /// Uploads the waves of `tile` and makes the buffers and pipelines for them.
-    pub(super) fn new(device: &wgpu::Device, queue: &wgpu::Queue, tile: &SpectralTile) -> SpectralFields {
-        let n = tile.resolution() as u32;
+    /// Uploads the waves and makes the buffers and pipelines for them.
+    fn new(device: &wgpu::Device, queue: &wgpu::Queue, waves: &WaveConstants) -> SpectralFields {
+        let n = waves.tile.resolution;
         let upload = |label: &str, contents: &[u8]| {
             buffer(device, queue, label, contents, wgpu::BufferUsages::STORAGE)
         };
-        let gpu_tile = GpuTile::of(tile);
-        let tile_buffer = uniform(device, queue, "tile", &gpu_tile);
+        let tile = uniform(device, queue, "tile", &waves.tile);
         let moment = uniform(device, queue, "moment", &GpuMoment::at(0.0));
-        let amplitudes = upload("amplitudes", bytemuck::cast_slice(&waves::amplitudes(tile)));
-        let frequencies = upload("frequencies", bytemuck::cast_slice(&waves::frequencies(tile)));
-        let lean = upload("lean", bytemuck::cast_slice(&waves::lean(tile)));
-        let twiddles = upload("twiddles", bytemuck::cast_slice(&waves::twiddles(NUMBERS)));
+        let amplitudes = upload("amplitudes", bytemuck::cast_slice(&waves.amplitudes));
+        let frequencies = upload("frequencies", bytemuck::cast_slice(&waves.frequencies));
+        let lean = upload("lean", bytemuck::cast_slice(&waves.lean));
+        let twiddles = upload("twiddles", bytemuck::cast_slice(&twiddles(NUMBERS)));
         let complex = u64::from(n) * u64::from(n) * 8;
         let evolved = storage(device, "evolved waves", complex / 2);
         let columns = storage(device, "columns", u64::from(PAIRS) * complex);
@@ -127,21 +125,21 @@ impl SpectralFields {
                 device,
                 &shader_lib::SPECTRAL_EVOLVE,
                 "cs_evolve",
-                &[&tile_buffer, &moment, &amplitudes, &frequencies, &evolved],
+                &[&tile, &moment, &amplitudes, &frequencies, &evolved],
                 [n.div_ceil(64), n / 2, 1],
             ),
             columns: Pass::new(
                 device,
                 &shader_lib::SPECTRAL_COLUMNS,
                 "cs_transform_columns",
-                &[&tile_buffer, &twiddles, &evolved, &lean, &columns],
+                &[&tile, &twiddles, &evolved, &lean, &columns],
                 transforms,
             ),
             rows: Pass::new(
                 device,
                 &shader_lib::SPECTRAL_ROWS,
                 "cs_transform_rows",
-                &[&tile_buffer, &twiddles, &columns, &fields],
+                &[&tile, &twiddles, &columns, &fields],
                 transforms,
             ),
             moment,

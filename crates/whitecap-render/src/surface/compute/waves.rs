@@ -21,12 +21,11 @@ pub(super) struct GpuTile {
 }
 
 impl GpuTile {
-    pub(super) fn of(tile: &SpectralTile) -> GpuTile {
-        let n = tile.resolution();
+    pub(super) fn new(resolution: usize, tile_size_m: f64) -> GpuTile {
         GpuTile {
-            resolution: n as u32,
-            log2_resolution: n.ilog2(),
-            spacing_rad_per_m: (TAU / tile.tile_size_m()) as f32,
+            resolution: resolution as u32,
+            log2_resolution: resolution.ilog2(),
+            spacing_rad_per_m: (TAU / tile_size_m) as f32,
         }
     }
 }
@@ -59,23 +58,37 @@ fn words(value: i64) -> [u32; 2] {
     [value as u32, (value >> 32) as u32]
 }
 
-/// Re P, Im P, Re Q, Im Q at p N + q, p ≥ 0.
-pub(super) fn amplitudes(tile: &SpectralTile) -> Vec<[f32; 4]> {
-    let n = tile.resolution();
-    let column = |p| {
-        let parts = tile.column(p).amplitudes;
-        (0..n).map(move |q| parts.map(|part| part[q]))
-    };
-    (0..n / 2).flat_map(column).collect()
+/// What is known of a tile's waves once and for all, for the half plane p ≥ 0.
+pub(super) struct WaveConstants {
+    pub(super) tile: GpuTile,
+    /// Re P, Im P, Re Q, Im Q at p N + q.
+    pub(super) amplitudes: Vec<[f32; 4]>,
+    /// ν and δ at p N + q, see [`fixed_point`].
+    pub(super) frequencies: Vec<[u32; 4]>,
+    /// λ coth(kd)/|k| at p N/2 + |q|.
+    pub(super) lean: Vec<f32>,
 }
 
-/// ν and δ at p N + q, p ≥ 0.
-pub(super) fn frequencies(tile: &SpectralTile) -> Vec<[u32; 4]> {
-    (0..tile.resolution() / 2).flat_map(|p| column_frequencies(tile.column(p).turns_per_s, None)).collect()
+impl WaveConstants {
+    pub(super) fn of(tile: &SpectralTile) -> WaveConstants {
+        let n = tile.resolution();
+        let mut constants = WaveConstants {
+            tile: GpuTile::new(n, tile.tile_size_m()),
+            amplitudes: Vec::with_capacity(n * n / 2),
+            frequencies: Vec::with_capacity(n * n / 2),
+            lean: Vec::with_capacity(n * n / 4),
+        };
+        for column in (0..n / 2).map(|p| tile.column(p)) {
+            constants.amplitudes.extend((0..n).map(|q| column.amplitudes.map(|part| part[q])));
+            constants.frequencies.extend(frequencies(column.turns_per_s, None));
+            constants.lean.extend(column.lean);
+        }
+        constants
+    }
 }
 
 /// ν and δ of one column over q, from ν over |q| and δ over q. The place q = N/2 is empty.
-pub(super) fn column_frequencies(
+pub(super) fn frequencies(
     turns_per_s: &[f64],
     drift_turns_per_s: Option<&[f64]>,
 ) -> impl Iterator<Item = [u32; 4]> {
@@ -86,11 +99,6 @@ pub(super) fn column_frequencies(
         let [drift_low, drift_high] = fixed_point(drift_turns_per_s.map_or(0.0, |drift| drift[q]));
         [low, high, drift_low, drift_high]
     })
-}
-
-/// λ coth(kd)/|k| at p N/2 + |q|, p ≥ 0.
-pub(super) fn lean(tile: &SpectralTile) -> Vec<f32> {
-    (0..tile.resolution() / 2).flat_map(|p| tile.column(p).lean.iter().copied()).collect()
 }
 
 /// exp(2πi j/n) for j in 0..n.
