@@ -13,6 +13,7 @@ use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
 
 mod maps;
 mod phases;
+mod timing;
 
 /// A sea with waves in all directions.
 fn sea(resolution: usize, choppiness: f64) -> SpectralTile {
