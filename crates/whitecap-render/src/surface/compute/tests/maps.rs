@@ -100,7 +100,7 @@ fn means_and_lost_variance_add_up() {
             let side = n >> mip;
             let mut sums = vec![DVec2::ZERO; side * side];
             for (i, slope) in slopes.iter().enumerate() {
-                sums[(i / n >> mip) * side + (i % n >> mip)] += *slope;
+                sums[((i / n) >> mip) * side + ((i % n) >> mip)] += *slope;
             }
             let per_texel = 4f64.powi(mip as i32);
             let kept =
