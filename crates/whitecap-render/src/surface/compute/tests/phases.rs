@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::gpu::for_tests::compute;
+use crate::surface::compute::waves::fixed_point;
 use crate::surface::normal_level::slope_of;
 
 #[repr(C)]
