@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 use whitecap_waves::model::{Surface, SurfacePoint};
+use whitecap_waves::query::{self, QueryError};
 
 use crate::error::SceneError;
 use crate::mesh::Ground;
@@ -82,7 +83,17 @@ impl Surface for SceneSurface {
             normal: DVec3::new(-slope.x, 1.0, -slope.y).normalize(),
             jacobian: open.jacobian,
             slope,
+            velocity_mps: open.velocity_mps * left,
         }
+    }
+
+    fn query(&self, places_m: &[DVec2], time_s: f64) -> Result<Vec<SurfacePoint>, QueryError> {
+        if self.shore.is_none() {
+            return self.sea.query(places_m, time_s);
+        }
+        // Damped waves are those of sines, which move upright: the water over a place rests there.
+        query::check(places_m, time_s)?;
+        Ok(places_m.iter().map(|place_m| self.sample(*place_m, time_s)).collect())
     }
 }
 

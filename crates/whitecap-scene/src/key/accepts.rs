@@ -28,6 +28,17 @@ pub enum Accepts {
     Integers(Vec<u32>),
     /// One of these words.
     Words(Vec<&'static str>),
+    /// One of these words, or a table with one number: `{ key = number }`.
+    WordsOrTable {
+        /// The words.
+        words: Vec<&'static str>,
+        /// The key of the table.
+        key: &'static str,
+        /// The least of its number.
+        min: f64,
+        /// The greatest of its number.
+        max: f64,
+    },
     /// Red, green and blue, each within the bounds.
     Colour {
         /// The least of each.
@@ -77,6 +88,7 @@ impl Accepts {
             Self::Words(_) | Self::File => "a string",
             Self::Colour { .. } | Self::Point { .. } => "an array of 3 numbers",
             Self::Pair { .. } => "an array of 2 numbers",
+            Self::WordsOrTable { .. } => "a string or a table",
             Self::Flag => "a boolean",
             Self::Tables { .. } => "an array of tables",
         }
@@ -102,6 +114,9 @@ impl fmt::Display for Accepts {
                 f.write_str(&integers.iter().map(u32::to_string).collect::<Vec<_>>().join(", "))
             }
             Self::Words(words) => f.write_str(&quoted_list(words)),
+            Self::WordsOrTable { words, key, min, max } => {
+                write!(f, "{}, {{ {key} = {min} to {max} }}", quoted_list(words))
+            }
             Self::Colour { min, max, .. } => write!(f, "[red, green, blue], each {min} to {max}{unit}"),
             Self::Pair { min, max, .. } => write!(f, "[first, second], each {min} to {max}{unit}"),
             Self::Flag => f.write_str("true, false"),

@@ -4,7 +4,7 @@ mod built_in;
 mod model;
 
 pub use built_in::BuiltInMesh;
-pub use model::{Model, ground, rest_under};
+pub use model::{Model, ground};
 
 use std::path::PathBuf;
 

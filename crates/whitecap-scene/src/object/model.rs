@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 use whitecap_waves::model::Surface;
+use whitecap_waves::query::rest_under;
 
 use super::Object;
 use crate::mesh::{Ground, Mesh, MeshError, Placement};
@@ -88,22 +89,6 @@ pub fn ground(models: &[Model]) -> Option<Ground> {
         .flat_map(|(mesh, placement)| mesh.triangles_in_world(&placement).collect::<Vec<_>>())
         .collect();
     Ground::new(triangles.into_iter(), GROUND_RESOLUTION)
-}
-
-/// The rest point whose water is over `place_m` (x east, z south) at `time_s`: the horizontal displacement is
-/// undone by iteration, to a millimetre where waves do not fold.
-pub fn rest_under(surface: &dyn Surface, place_m: DVec2, time_s: f64) -> DVec2 {
-    let mut rest_m = place_m;
-    for _ in 0..12 {
-        let moved = surface.sample(rest_m, time_s).displacement_m;
-        let error = rest_m + DVec2::new(moved.x, moved.z) - place_m;
-        if error.length() < 1e-4 {
-            break;
-        }
-        // Damped, since near a fold the plain iteration swings.
-        rest_m -= 0.8 * error;
-    }
-    rest_m
 }
 
 #[cfg(test)]

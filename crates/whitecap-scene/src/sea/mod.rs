@@ -1,6 +1,7 @@
 //! The sea: which model moves it, and the waves that it is made of.
 
 mod calm;
+mod cascade;
 mod perlin;
 mod sines;
 mod spectral;
@@ -9,12 +10,15 @@ pub mod system;
 mod wave;
 
 pub use calm::CalmSettings;
+pub use cascade::Cascade;
 pub use perlin::PerlinSettings;
 pub use sines::{SinesSettings, Taylor};
 pub use spectral::{Amplitudes, SpectralSettings};
 pub use surface::SeaSurface;
 pub use wave::Wave;
 
+pub(crate) use cascade::KEYS as CASCADE_KEYS;
+pub(crate) use spectral::Tiling;
 pub(crate) use wave::KEYS as WAVE_KEYS;
 
 use crate::error::SceneError;
@@ -85,7 +89,20 @@ impl Sea {
                 ),
             ));
         }
-        table.tagged(&tag).map(|model| Self { model })
+        let mut model = table.tagged(&tag)?;
+        if let SeaModel::Spectral(settings) = &mut model {
+            settings.complete(table, technique.word(), &technique.tiling())?;
+        }
+        Ok(Self { model })
+    }
+
+    /// Where `surface`, built from this sea, bends what was asked for, such as energy that its tiles cannot carry:
+    /// one sentence each, with the figure and what to change.
+    pub fn warnings(&self, surface: &SeaSurface) -> Vec<String> {
+        match (&self.model, surface) {
+            (SeaModel::Spectral(settings), SeaSurface::Spectral(sea)) => settings.warnings(sea),
+            _ => Vec::new(),
+        }
     }
 
     /// The moving surface itself. Equal settings and seeds give equal surfaces.

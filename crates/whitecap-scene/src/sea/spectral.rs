@@ -1,19 +1,25 @@
 //! Settings of a sea drawn from spectra and moved by a Fourier transform.
 
+use glam::DVec2;
 use whitecap_waves::ParameterError;
-use whitecap_waves::model::spectral::{self, SpectralTile, SpectralTileParameters};
+use whitecap_waves::dispersion::Dispersion;
+use whitecap_waves::model::spectral::{self, CascadeBudget, SpectralSea, SpectralSeaParameters, Water};
+use whitecap_waves::spectrum::{Profile, WaveSpectrum};
+use whitecap_waves::statistics::significant_height_m;
 
+use super::cascade::{Cascade, Cascades};
 use super::system::{System, Systems};
 use super::{SeaModel, SeaSurface};
 use crate::error::SceneError;
-use crate::key::{OneOf, PowerOfTwo, Real, or, required, table, words};
+use crate::key::{Count, Flag, OneOf, PowerOfTwo, Real, optional, or, required, table, words};
+use crate::reader::TableReader;
 use crate::registry::Registered;
 
 pub(super) const REGISTERED: Registered<SeaModel> = Registered {
     word: "spectral",
-    summary: "waves drawn from spectra and transformed on a periodic tile (Tessendorf)",
+    summary: "waves drawn from spectra and transformed on periodic tiles (Tessendorf)",
     keys: SpectralSettings::keys,
-    read: |table| SpectralSettings::read_keys(table).map(SeaModel::Spectral),
+    read: |table| SpectralSettings::read_checked(table).map(SeaModel::Spectral),
 };
 
 words! {
@@ -29,10 +35,28 @@ words! {
 table! {
     /// A sea drawn from spectra: the table `[sea]` with `model = "spectral"`.
     pub struct SpectralSettings {
-        /// The side of the square after which the sea repeats.
-        tile_size_m: f64 = or(Real { unit: "m", min: 1.0, max: 10_000.0 }, 100.0);
-        /// How many samples the tile has along a side.
-        resolution: u32 = or(PowerOfTwo { min: 16, max: 2048 }, 64);
+        /// The depth of the water: waves longer than twice of it feel the bottom.
+        depth_m: Option<f64> = optional(Real { unit: "m", min: 0.1, max: 12_000.0 }, "deeper than any wave feels");
+        /// Whether surface tension quickens the waves below 10 cm.
+        surface_tension: bool = or(Flag, false);
+        /// The speed of a uniform current, which carries the waves with it.
+        current_mps: f64 = or(Real { unit: "m/s", min: 0.0, max: 15.0 }, 0.0);
+        /// The bearing that the current runs towards, clockwise from north: as currents are named.
+        current_toward_deg: f64 = or(Real { unit: "deg", min: 0.0, max: 360.0 }, 0.0);
+        /// After what time the motion repeats without a seam.
+        loop_s: Option<f64> = optional(Real { unit: "s", min: 1.0, max: 1e6 }, "never");
+        /// The most tiles that share the spectrum out among them, each with the waves that are too short for the one
+        /// before.
+        cascades: Option<u32> = optional(Count { min: 1, max: 8 }, "as many as the technique draws");
+        /// The side of the largest tile.
+        tile_size_m: Option<f64> =
+            optional(Real { unit: "m", min: 1.0, max: 100_000.0 }, "eight wavelengths of the longest peak");
+        /// How many samples each tile has along a side.
+        resolution: Option<u32> = optional(PowerOfTwo { min: 16, max: 2048 }, "the technique's");
+        /// The shortest wave that the tiles should reach down to, as far as their number and resolution allow.
+        shortest_wave_m: f64 = or(Real { unit: "m", min: 0.001, max: 1000.0 }, 0.1);
+        /// The tiles themselves, `[[sea.cascade]]`, in place of the four keys above.
+        cascade: Option<Vec<Cascade>> = optional(Cascades, "chosen by the spectrum");
         /// How far crests are drawn together: 0 leaves them round, 1 is what linear theory says.
         choppiness: f64 = or(Real { unit: "", min: 0.0, max: 3.0 }, 1.0);
         /// How the waves' amplitudes are drawn.
@@ -42,26 +66,168 @@ table! {
     }
 }
 
+/// How many tiles a technique draws, and how it draws them where the scene does not say.
+pub(crate) struct Tiling {
+    /// The most tiles.
+    pub(crate) cascades: u32,
+    /// Samples along a side.
+    pub(crate) resolution: u32,
+}
+
+/// Less of a system than this on the tiles is worth a warning.
+const FULL: f64 = 0.995;
+
 impl SpectralSettings {
-    pub(super) fn build(&self, seed: u64) -> Result<SeaSurface, SceneError> {
-        let systems = self.system.iter().enumerate().map(|(index, system)| {
+    fn read_checked(table: &TableReader<'_>) -> Result<Self, SceneError> {
+        let settings = Self::read_keys(table)?;
+        let planned = ["cascades", "tile_size_m", "resolution", "shortest_wave_m"];
+        if let (Some(_), Some(key)) = (&settings.cascade, planned.into_iter().find(|key| table.has(key))) {
+            return Err(table.error(
+                Some(key),
+                "beside [[sea.cascade]]; accepted: one of the two, tiles one by one or a plan for them",
+            ));
+        }
+        Ok(settings)
+    }
+
+    /// Refuses more tiles than `technique` draws, and says what it draws where the file does not.
+    pub(super) fn complete(
+        &mut self,
+        table: &TableReader<'_>,
+        technique: &str,
+        tiling: &Tiling,
+    ) -> Result<(), SceneError> {
+        let count = self.cascade.as_ref().map(|list| list.len() as u32).or(self.cascades);
+        if count.is_some_and(|count| count > tiling.cascades) {
+            let key = if self.cascade.is_some() { "cascade" } else { "cascades" };
+            return Err(table.error(
+                Some(key),
+                format!(
+                    "more tiles than technique = \"{technique}\" draws; accepted: 1 to {}",
+                    tiling.cascades
+                ),
+            ));
+        }
+        if self.cascade.is_none() {
+            self.cascades.get_or_insert(tiling.cascades);
+            self.resolution.get_or_insert(tiling.resolution);
+        }
+        Ok(())
+    }
+
+    /// What the waves run in.
+    ///
+    /// # Errors
+    ///
+    /// If the depth is out of its range, which that of a scene file is not.
+    pub fn water(&self) -> Result<Water, SceneError> {
+        let dispersion = Dispersion::at_depth(self.depth_m.unwrap_or(f64::INFINITY))
+            .map_err(|error| SceneError::about_key("sea.depth_m", error.to_string()))?;
+        // A bearing that is gone towards, not come from.
+        let toward = -whitecap_waves::direction::toward_from_nautical(self.current_toward_deg);
+        Ok(Water {
+            dispersion: if self.surface_tension { dispersion.with_surface_tension() } else { dispersion },
+            current_mps: if self.current_mps > 0.0 { self.current_mps * toward } else { DVec2::ZERO },
+            loop_s: self.loop_s,
+        })
+    }
+
+    /// The spectra of the wave systems, in their order.
+    ///
+    /// # Errors
+    ///
+    /// If the settings of a system contradict each other.
+    pub fn spectra(&self) -> Result<Vec<Box<dyn WaveSpectrum>>, SceneError> {
+        let dispersion = self.water()?.dispersion;
+        let spectrum = |(index, system): (usize, &System)| {
             let key = |field: &str| format!("sea.system[{index}].{field}");
-            system.build().map_err(|error| problem(&error, key))
-        });
-        let systems = systems.collect::<Result<Vec<_>, _>>()?;
-        let parameters = SpectralTileParameters {
-            tile_size_m: self.tile_size_m,
-            resolution: self.resolution as usize,
+            system.build(&dispersion).map_err(|error| problem(&error, key))
+        };
+        self.system.iter().enumerate().map(spectrum).collect()
+    }
+
+    /// The tiles for a sea of these spectra.
+    pub fn cascades(&self, spectra: &[Box<dyn WaveSpectrum>]) -> Vec<spectral::Cascade> {
+        match &self.cascade {
+            Some(list) => {
+                let tiles: Vec<_> =
+                    list.iter().map(|tile| (tile.tile_size_m, tile.resolution as usize)).collect();
+                spectral::Cascade::split(&tiles)
+            }
+            None => spectral::Cascade::plan(
+                spectra,
+                CascadeBudget {
+                    tile_size_m: self.tile_size_m,
+                    shortest_wave_m: self.shortest_wave_m,
+                    cascades: self.cascades.unwrap_or(1) as usize,
+                    resolution: self.resolution.unwrap_or(64) as usize,
+                },
+            ),
+        }
+    }
+
+    pub(super) fn build(&self, seed: u64) -> Result<SeaSurface, SceneError> {
+        let spectra = self.spectra()?;
+        let parameters = SpectralSeaParameters {
+            cascades: self.cascades(&spectra),
             choppiness: self.choppiness,
+            water: self.water()?,
             seed,
             amplitudes: match self.amplitudes {
                 Amplitudes::Deterministic => spectral::Amplitudes::Deterministic,
                 Amplitudes::Gaussian => spectral::Amplitudes::Gaussian,
             },
         };
-        match SpectralTile::new(parameters, &systems) {
-            Ok(sea) => Ok(SeaSurface::Tile(Box::new(sea))),
+        match SpectralSea::new(parameters, &spectra) {
+            Ok(sea) => Ok(SeaSurface::Spectral(Box::new(sea))),
             Err(error) => Err(problem(&error, |field| format!("sea.{field}"))),
+        }
+    }
+
+    /// Where `sea`, built from these settings, bends what was asked for: one sentence each.
+    pub(super) fn warnings(&self, sea: &SpectralSea) -> Vec<String> {
+        let Ok(spectra) = self.spectra() else { return Vec::new() };
+        let lost = |(index, (captured, spectrum)): (usize, (f64, &Box<dyn WaveSpectrum>))| {
+            if captured >= FULL {
+                return None;
+            }
+            let [asked_m, there_m] =
+                [1.0, captured].map(|part| significant_height_m(part * spectrum.variance_m2()));
+            Some(format!(
+                "sea.system[{index}]: its tiles carry {:.1} % of its energy, {there_m:.2} m of {asked_m:.2} m of \
+                 significant height: {}",
+                100.0 * captured,
+                self.remedy(sea, &Profile::of(spectrum)),
+            ))
+        };
+        let unusual = self.system.iter().enumerate().flat_map(|(index, system)| {
+            let warnings = system.warnings(&sea.parameters().water.dispersion);
+            warnings.into_iter().map(move |warning| format!("sea.system[{index}]: {warning}"))
+        });
+        let lost = sea.captured_fractions().into_iter().zip(&spectra).enumerate().filter_map(lost);
+        unusual.chain(lost).collect()
+    }
+
+    /// What would make the rest of a spectrum fit.
+    fn remedy(&self, sea: &SpectralSea, profile: &Profile) -> String {
+        let cascades = &sea.parameters().cascades;
+        let (first, last) = (cascades[0], cascades[cascades.len() - 1]);
+        let finest = last.band.to.min(std::f64::consts::PI * last.resolution as f64 / last.tile_size_m);
+        let longest = std::f64::consts::TAU / first.tile_size_m;
+        let too_short = profile.variance_m2(spectral::Band { from: finest, to: f64::INFINITY });
+        let too_long = profile.variance_m2(spectral::Band { from: 0.0, to: longest });
+        if too_long > too_short {
+            let length_m = (8.0 * std::f64::consts::TAU / profile.peak_wave_number()).ceil();
+            format!(
+                "its waves are too long for a tile of {} m; tile_size_m = {length_m} holds them",
+                first.tile_size_m
+            )
+        } else {
+            format!(
+                "waves below {:.2} m are too short for the samples; more resolution, more cascades or a smaller tile \
+                 hold them",
+                std::f64::consts::TAU / finest
+            )
         }
     }
 }

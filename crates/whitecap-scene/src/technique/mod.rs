@@ -15,6 +15,7 @@ pub use rippling_lake::{RipplingLake, SwapUv};
 use crate::error::SceneError;
 use crate::reader::TableReader;
 use crate::registry::{Registered, Tag, TagDefault};
+use crate::sea::Tiling;
 
 /// A way to draw water, with its settings.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -71,6 +72,11 @@ impl Technique {
             Self::Meshuggah(_) => &["spectral"],
             Self::FiveSample(_) => &["calm"],
         }
+    }
+
+    /// How many tiles of a spectral sea it draws.
+    pub(crate) fn tiling(&self) -> Tiling {
+        Tiling { cascades: 1, resolution: 64 }
     }
 
     /// The text that it follows: who, what, where, when.

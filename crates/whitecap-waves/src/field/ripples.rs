@@ -3,7 +3,7 @@
 use super::HeightField;
 use crate::GRAVITY_MPS2;
 use crate::error::{ParameterError, check};
-use crate::model::spectral::{Amplitudes, SpectralTile, SpectralTileParameters};
+use crate::model::spectral::{Amplitudes, Band, SpectralTile, SpectralTileParameters, Water};
 use crate::model::{TileFields, WaveModel};
 use crate::spectrum::phillips::{Phillips, PhillipsParameters};
 use glam::DVec2;
@@ -66,7 +66,9 @@ impl HeightField {
         let tile = SpectralTileParameters {
             tile_size_m,
             resolution: size,
+            band: Band::WHOLE,
             choppiness: 0.0,
+            water: Water::STILL,
             seed,
             amplitudes: Amplitudes::Deterministic,
         };

@@ -13,7 +13,7 @@ impl Surface for Calm {
     }
 
     fn sample(&self, _rest_m: DVec2, _time_s: f64) -> SurfacePoint {
-        SurfacePoint::upright(0.0, DVec2::ZERO)
+        SurfacePoint::upright(0.0, DVec2::ZERO, 0.0)
     }
 }
 

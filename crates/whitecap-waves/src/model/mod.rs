@@ -1,5 +1,6 @@
 //! Surfaces in time: the trait that every wave model implements, and the models.
 
+use crate::query::{self, QueryError};
 use glam::{DVec2, DVec3};
 use std::any::Any;
 
@@ -8,6 +9,7 @@ mod fields;
 pub mod perlin;
 pub mod sines;
 pub mod spectral;
+pub mod trochoidal;
 
 pub use calm::Calm;
 pub use fields::TileFields;
@@ -25,6 +27,16 @@ pub trait Surface: Send + Sync {
     /// The surface over the rest point `rest_m` (`.x` east, `.y` south) at `time_s`: exact at any place,
     /// independent of any grid.
     fn sample(&self, rest_m: DVec2, time_s: f64) -> SurfacePoint;
+
+    /// The water over each of `places_m` (`.x` east, `.y` south) at `time_s`, in their order: the horizontal
+    /// displacement is undone. See [`query`](crate::query) for how exactly.
+    ///
+    /// # Errors
+    ///
+    /// If a place or the time is not finite.
+    fn query(&self, places_m: &[DVec2], time_s: f64) -> Result<Vec<SurfacePoint>, QueryError> {
+        query::one_by_one(self, places_m, time_s)
+    }
 }
 
 /// A surface that repeats over a square tile and can fill one.
@@ -50,11 +62,12 @@ pub trait Surface: Send + Sync {
 /// struct SingleSine { wavelength_m: f64, amplitude_m: f64, resolution: usize }
 ///
 /// impl SingleSine {
-///     /// Height and its slope along x.
-///     fn wave(&self, x: f64, time_s: f64) -> (f64, f64) {
+///     /// Height, its slope along x and its rate of change.
+///     fn wave(&self, x: f64, time_s: f64) -> (f64, f64, f64) {
 ///         let k = TAU / self.wavelength_m;
-///         let phase = k * x - Dispersion::DEEP.angular_frequency(k) * time_s;
-///         (self.amplitude_m * phase.cos(), -self.amplitude_m * k * phase.sin())
+///         let omega = Dispersion::DEEP.angular_frequency(k);
+///         let (sin, cos) = (k * x - omega * time_s).sin_cos();
+///         (self.amplitude_m * cos, -self.amplitude_m * k * sin, self.amplitude_m * omega * sin)
 ///     }
 /// }
 ///
@@ -63,12 +76,13 @@ pub trait Surface: Send + Sync {
 ///         0.5 * self.amplitude_m * self.amplitude_m
 ///     }
 ///     fn sample(&self, rest_m: DVec2, time_s: f64) -> SurfacePoint {
-///         let (height, slope) = self.wave(rest_m.x, time_s);
+///         let (height, slope, rise) = self.wave(rest_m.x, time_s);
 ///         SurfacePoint {
 ///             displacement_m: DVec3::new(0.0, height, 0.0),
 ///             normal: DVec3::new(-slope, 1.0, 0.0).normalize(),
 ///             jacobian: 1.0,
 ///             slope: DVec2::new(slope, 0.0),
+///             velocity_mps: DVec3::new(0.0, rise, 0.0),
 ///         }
 ///     }
 /// }
@@ -85,7 +99,7 @@ pub trait Surface: Send + Sync {
 ///         fields.resize(n);
 ///         for i in 0..n * n {
 ///             let x = (i % n) as f64 * self.wavelength_m / n as f64;
-///             let (height, slope) = self.wave(x, time_s);
+///             let (height, slope, _) = self.wave(x, time_s);
 ///             fields.height[i] = height as f32;
 ///             fields.slope_x[i] = slope as f32;
 ///         }
@@ -130,16 +144,25 @@ pub struct SurfacePoint {
     pub jacobian: f64,
     /// The derivatives of the height by the rest coordinates x and z.
     pub slope: DVec2,
+    /// How the water moves, in m/s: x east, y up, z south.
+    pub velocity_mps: DVec3,
 }
 
 impl SurfacePoint {
-    /// The point of a surface that only rises and falls, at this height in metres and with these slopes.
-    pub(crate) fn upright(height_m: f64, slope: DVec2) -> Self {
+    /// The point of a surface that only rises and falls, at this height in metres, with these slopes and rising at
+    /// `rise_mps`.
+    pub(crate) fn upright(height_m: f64, slope: DVec2, rise_mps: f64) -> Self {
         Self {
             displacement_m: DVec3::new(0.0, height_m, 0.0),
             normal: DVec3::new(-slope.x, 1.0, -slope.y).normalize(),
             jacobian: 1.0,
             slope,
+            velocity_mps: DVec3::new(0.0, rise_mps, 0.0),
         }
+    }
+
+    /// The height over the calm sea in metres.
+    pub fn height_m(&self) -> f64 {
+        self.displacement_m.y
     }
 }

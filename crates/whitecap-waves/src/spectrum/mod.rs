@@ -6,9 +6,33 @@
 //! | Ψ(k) | variance density over the wave-number plane | m² per (rad/m)², that is m⁴ |
 //! | m0 | ∫∫Ψ d²k, the variance of the surface elevation | m² |
 
-use glam::DVec2;
+//! Most spectra come in two factors, S(ω) and a spreading over directions:
+//!
+//! | what | where |
+//! | --- | --- |
+//! | S(ω) | [`Omnidirectional`]: [`pierson_moskowitz`], [`jonswap`], [`tma`], [`elfouhaily`] |
+//! | D(ω, θ) | [`Spreading`](crate::spreading::Spreading) |
+//! | Ψ(k) = S(ω) D(ω, θ) c_g / k | [`Directional`](directional::Directional) |
+//! | Ψ(k) as a whole | [`phillips`] |
+//!
+//! A sea state or a Beaufort number stands for heights and winds: [`sea_state`].
 
+use glam::DVec2;
+use std::f64::consts::TAU;
+
+pub mod directional;
+pub mod elfouhaily;
+pub mod jonswap;
+mod omnidirectional;
 pub mod phillips;
+pub mod pierson_moskowitz;
+mod profile;
+mod quadrature;
+pub mod sea_state;
+pub mod tma;
+
+pub use omnidirectional::{FULLY_DEVELOPED_INVERSE_WAVE_AGE, Omnidirectional};
+pub use profile::Profile;
 
 /// A directional spectrum of surface waves over the wave-number plane.
 ///
@@ -47,6 +71,15 @@ pub trait WaveSpectrum: Send + Sync {
 
     /// m0 in m²: the integral of [`density_m4`](Self::density_m4) over the whole plane.
     fn variance_m2(&self) -> f64;
+
+    /// ∮Ψ k dθ in m³, the density over wave number alone, at `k` > 0 in rad/m. By itself it takes the mean of 72
+    /// directions; a spectrum that knows it should say it.
+    fn omnidirectional_m3(&self, k: f64) -> f64 {
+        const DIRECTIONS: u32 = 72;
+        let toward = |i: u32| k * DVec2::from_angle(TAU * f64::from(i) / f64::from(DIRECTIONS));
+        let sum: f64 = (0..DIRECTIONS).map(|i| self.density_m4(toward(i))).sum();
+        TAU * k * sum / f64::from(DIRECTIONS)
+    }
 }
 
 impl<T: WaveSpectrum + ?Sized> WaveSpectrum for &T {
@@ -56,6 +89,9 @@ impl<T: WaveSpectrum + ?Sized> WaveSpectrum for &T {
     fn variance_m2(&self) -> f64 {
         (**self).variance_m2()
     }
+    fn omnidirectional_m3(&self, k: f64) -> f64 {
+        (**self).omnidirectional_m3(k)
+    }
 }
 
 impl<T: WaveSpectrum + ?Sized> WaveSpectrum for Box<T> {
@@ -64,5 +100,8 @@ impl<T: WaveSpectrum + ?Sized> WaveSpectrum for Box<T> {
     }
     fn variance_m2(&self) -> f64 {
         (**self).variance_m2()
+    }
+    fn omnidirectional_m3(&self, k: f64) -> f64 {
+        (**self).omnidirectional_m3(k)
     }
 }

@@ -4,7 +4,7 @@ use crate::{TILE, WIND, one_wave, wind_sea};
 use glam::{DVec2, DVec3, Vec3};
 use proptest::prelude::*;
 use whitecap_waves::direction::toward_from_nautical;
-use whitecap_waves::model::spectral::{Amplitudes, SpectralTile, SpectralTileParameters};
+use whitecap_waves::model::spectral::{Amplitudes, Band, SpectralTile, SpectralTileParameters, Water};
 use whitecap_waves::model::{Surface, TileFields, WaveModel};
 use whitecap_waves::spectrum::phillips::PhillipsParameters;
 use whitecap_waves::statistics::significant_height_m;
@@ -15,7 +15,9 @@ fn lopsided(resolution: usize, seed: u64) -> SpectralTile {
     let tile = SpectralTileParameters {
         tile_size_m: 310.0,
         resolution,
+        band: Band::WHOLE,
         choppiness: 0.8,
+        water: Water::STILL,
         seed,
         amplitudes: Amplitudes::Gaussian,
     };

@@ -1,14 +1,17 @@
 //! The laws that a spectral sea obeys, one file for each kind.
 
+mod cascades;
+mod chances;
 mod energy;
 mod fitting;
 mod geometry;
 mod threads;
 mod travel;
+mod water;
 
 use glam::DVec2;
 use std::f64::consts::TAU;
-use whitecap_waves::model::spectral::{Amplitudes, SpectralTile, SpectralTileParameters};
+use whitecap_waves::model::spectral::{Amplitudes, Band, SpectralTile, SpectralTileParameters, Water};
 use whitecap_waves::spectrum::WaveSpectrum;
 use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
 
@@ -23,7 +26,9 @@ const WIND: PhillipsParameters = PhillipsParameters {
 const TILE: SpectralTileParameters = SpectralTileParameters {
     tile_size_m: 400.0,
     resolution: 64,
+    band: Band::WHOLE,
     choppiness: 1.0,
+    water: Water::STILL,
     seed: 7,
     amplitudes: Amplitudes::Deterministic,
 };
@@ -50,7 +55,8 @@ impl OneWave {
 impl WaveSpectrum for OneWave {
     fn density_m4(&self, k: DVec2) -> f64 {
         let spacing = TAU / self.tile_size_m;
-        if k.distance(self.k()) < 0.5 * spacing { self.variance_m2 / (spacing * spacing) } else { 0.0 }
+        let inside = (k - self.k()).abs().max_element() < 0.5 * spacing;
+        if inside { self.variance_m2 / (spacing * spacing) } else { 0.0 }
     }
     fn variance_m2(&self) -> f64 {
         self.variance_m2

@@ -9,10 +9,10 @@ use glam::{DVec2, DVec3};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::process::ExitCode;
-use whitecap_scene::object::rest_under;
 use whitecap_scene::sea::SeaSurface;
 use whitecap_scene::{Scene, SceneSurface, named, technique};
 use whitecap_waves::model::Surface;
+use whitecap_waves::query::rest_under;
 
 const EXAMPLES: &str = "\
 Examples:

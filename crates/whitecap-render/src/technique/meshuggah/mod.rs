@@ -21,7 +21,6 @@ use crate::uniforms::ViewSlots;
 use crate::view::View;
 use glam::{DVec2, DVec3};
 use gpu::{GpuMeshuggah, Pipeline, WATER_COLORS, water_colors};
-use whitecap_scene::sea::SeaSurface;
 use whitecap_scene::technique as settings;
 
 /// The apron reaches this far, metres: beyond the horizon of a viewer at 100 km.
@@ -42,7 +41,9 @@ pub(super) struct Meshuggah {
 
 impl Meshuggah {
     pub(super) fn new(build: &Build<'_>, settings: &settings::Meshuggah) -> Result<Meshuggah, RenderError> {
-        let SeaSurface::Tile(model) = build.scene.sea.build(build.scene.seed)? else {
+        // The scene's reader lets one tile through.
+        let tiles = build.scene.sea.build(build.scene.seed)?.into_tiles();
+        let Some(model) = tiles.and_then(|tiles| tiles.into_iter().next()) else {
             return Err(wrong_sea(build));
         };
         let maps = TileMaps::new(build.device, build.queue, build.backend, model, settings.tile_repeats)?;

@@ -201,14 +201,19 @@ impl Surface for PerlinNoise {
     }
 
     /// The bilinear patch that a drawn vertex lies on, and its derivatives: slopes jump from one texel to the
-    /// next.
+    /// next. It rises by the difference of two moments 2 ms apart, which is far less than a frame of noise lasts.
     fn sample(&self, rest_m: DVec2, time_s: f64) -> SurfacePoint {
-        let mixes: [Mix; OCTAVES] = std::array::from_fn(|o| self.mix(o, time_s));
-        let (height, slope) = self.patches(rest_m, |chunk, u, v| {
-            let packed = &mixes[PACKED * chunk..PACKED * (chunk + 1)];
-            chunks::packed_texel(&self.frames, packed, u, v)
-        });
-        SurfacePoint::upright(height, slope)
+        const STEP_S: f64 = 1e-3;
+        let at = |time_s: f64| {
+            let mixes: [Mix; OCTAVES] = std::array::from_fn(|o| self.mix(o, time_s));
+            self.patches(rest_m, |chunk, u, v| {
+                let packed = &mixes[PACKED * chunk..PACKED * (chunk + 1)];
+                chunks::packed_texel(&self.frames, packed, u, v)
+            })
+        };
+        let (height, slope) = at(time_s);
+        let rise = (at(time_s + STEP_S).0 - at(time_s - STEP_S).0) / (2.0 * STEP_S);
+        SurfacePoint::upright(height, slope, rise)
     }
 }
 

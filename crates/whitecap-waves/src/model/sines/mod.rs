@@ -202,14 +202,15 @@ impl Surface for SumOfSines {
     fn sample(&self, rest_m: DVec2, time_s: f64) -> SurfacePoint {
         let SumOfSinesParameters { waves, taylor, uv_size_m, unit_m, .. } = &self.parameters;
         let series = taylor.series();
-        let (mut height, mut slope) = (0.0, DVec2::ZERO);
+        let (mut height, mut slope, mut rise) = (0.0, DVec2::ZERO, 0.0);
         for (wave, phase) in waves.iter().zip(self.phases(self.uv(rest_m), time_s)) {
             let x = series.range_reduced(phase);
+            let per_turn = wave.height * series.sine_derivative(x) * series.radians_per_turn();
             height += wave.height * series.sine(x);
-            slope +=
-                wave.height * series.sine_derivative(x) * series.radians_per_turn() * wave.direction_per_uv;
+            slope += per_turn * wave.direction_per_uv;
+            rise += per_turn * wave.speed_turns_per_s;
         }
-        SurfacePoint::upright(unit_m * height, unit_m / uv_size_m * slope)
+        SurfacePoint::upright(unit_m * height, unit_m / uv_size_m * slope, unit_m * rise)
     }
 }
 

@@ -1,52 +1,60 @@
-//! The waves of a sea as the evolution reads them.
+//! The waves of a tile as the evolution reads them.
 //!
 //! Symbols as in the [module above](super), and further:
 //!
 //! | symbol | meaning |
 //! | --- | --- |
-//! | P, Q | h(k, t) = P cos ωt + Q sin ωt |
+//! | P, Q | h(k, t) = P cos ωt + Q sin ωt, in water at rest |
 //! | ν | ω/2π, turns per second |
+//! | δ | k·U/2π, turns per second by which a current U carries the wave past |
 //!
 //! With h0 = h0(k) and h̄ = conj(h0(−k)), P = h0 + h̄ and Q = −i h0 + i h̄. Both are constants, so evolving a wave
 //! costs two real-by-complex products. Only p ≥ 0 is stored; the other half follows from the surface being
-//! real. ω depends on |q| alone within a column, so one sine and cosine serve two waves.
+//! real. ω depends on |q| alone within a column, so one sine and cosine serve two waves. A current turns both
+//! waves of a pair the same way in the plane, which is one more factor, e^{−2πiδt}.
 
-use super::fit::cell;
+use super::energy::cell;
 use super::random::for_each_draw;
 use super::{Amplitudes, SpectralTileParameters};
-use crate::dispersion::Dispersion;
+use glam::DVec2;
 use rustfft::num_complex::Complex;
 use std::f64::consts::TAU;
 
 /// The waves with p ≥ 0, column by column.
-pub(super) struct Waves {
+pub(crate) struct Waves {
     /// N.
-    pub(super) n: usize,
+    pub(crate) n: usize,
     /// L in metres.
-    pub(super) tile_size_m: f64,
-    /// λ.
-    pub(super) choppiness: f64,
+    pub(crate) tile_size_m: f64,
     /// For each p in 0..N/2 four runs of N numbers over q (negative q at N + q): Re P, Im P, Re Q, Im Q, in
     /// metres.
     amplitudes: Vec<f32>,
     /// For each p in 0..N/2 a run over |q| in 0..N/2: ν in 1/s. In f64, since it is multiplied by the time.
     turns_per_s: Vec<f64>,
-    /// Like `turns_per_s`: λ/|k| in m/rad, 0 at k = 0.
+    /// For each p in 0..N/2 a run over q, δ in 1/s; empty without a current.
+    drift_turns_per_s: Vec<f64>,
+    /// Like `turns_per_s`: coth(kd)/|k| in m/rad, 0 at k = 0. How far an orbit reaches along, for its height
+    /// and for each rad/m.
+    orbit: Vec<f32>,
+    /// λ times `orbit`.
     lean: Vec<f32>,
     /// 2π q/L in rad/m for q as stored, 0 at q = N/2.
-    pub(super) kz: Vec<f32>,
+    pub(crate) kz: Vec<f32>,
+    /// The largest |p| or |q| of a wave with any energy.
+    pub(crate) reach: usize,
 }
 
 impl Waves {
-    /// Draws the waves: `cell_variance_m2` is ΨΔk² at [`cell`] (p, q).
-    pub(super) fn new(parameters: &SpectralTileParameters, cell_variance_m2: &[f64]) -> Self {
-        let &SpectralTileParameters { tile_size_m, resolution: n, choppiness, .. } = parameters;
+    /// Draws the waves: `cell_variance_m2` is the energy at [`cell`] (p, q).
+    pub(super) fn new(parameters: &SpectralTileParameters, stream: u64, cell_variance_m2: &[f64]) -> Self {
+        let &SpectralTileParameters { tile_size_m, resolution: n, choppiness, water, .. } = parameters;
         let half = n / 2;
-        let h0 = initial_amplitudes(parameters, cell_variance_m2);
+        let h0 = initial_amplitudes(parameters, stream, cell_variance_m2);
 
         let mut amplitudes = vec![0.0; half * 4 * n];
         let mut turns_per_s = vec![0.0; half * half];
-        let mut lean = vec![0.0; half * half];
+        let mut orbit = vec![0.0; half * half];
+        let mut reach: usize = 0;
         let spacing = TAU / tile_size_m;
         for p in 0..half {
             let run = &mut amplitudes[p * 4 * n..][..4 * n];
@@ -62,21 +70,29 @@ impl Waves {
                 for (part, value) in [cosine.re, cosine.im, sine.re, sine.im].into_iter().enumerate() {
                     run[part * n + q] = value as f32;
                 }
+                if with.norm_sqr() + against.norm_sqr() > 0.0 {
+                    reach = reach.max(p).max(signed_q.unsigned_abs() as usize);
+                }
             }
             for q in 0..half {
                 let k = spacing * libm::hypot(p as f64, q as f64);
-                turns_per_s[p * half + q] = Dispersion::DEEP.angular_frequency(k) / TAU;
-                lean[p * half + q] = if k > 0.0 { (choppiness / k) as f32 } else { 0.0 };
+                if k > 0.0 {
+                    turns_per_s[p * half + q] =
+                        looped(water.dispersion.angular_frequency(k) / TAU, water.loop_s, 1.0);
+                    orbit[p * half + q] = (water.dispersion.orbit_ratio(k) / k) as f32;
+                }
             }
         }
         let kz = (0..n)
             .map(|q| if q == half { 0.0 } else { (spacing * f64::from(signed(n, q))) as f32 })
             .collect();
-        Self { n, tile_size_m, choppiness, amplitudes, turns_per_s, lean, kz }
+        let lean = orbit.iter().map(|orbit| (choppiness * f64::from(*orbit)) as f32).collect();
+        let drift_turns_per_s = drift(parameters);
+        Self { n, tile_size_m, amplitudes, turns_per_s, drift_turns_per_s, orbit, lean, kz, reach }
     }
 
     /// 2π p/L in rad/m.
-    pub(super) fn kx(&self, p: usize) -> f32 {
+    pub(crate) fn kx(&self, p: usize) -> f32 {
         (TAU * p as f64 / self.tile_size_m) as f32
     }
 
@@ -91,10 +107,42 @@ impl Waves {
         &self.turns_per_s[p * self.n / 2..][..self.n / 2]
     }
 
-    /// λ/|k| of column `p`, over |q|.
+    /// δ of column `p`, over q; `None` without a current.
+    pub(super) fn drift_turns_per_s(&self, p: usize) -> Option<&[f64]> {
+        self.drift_turns_per_s.get(p * self.n..(p + 1) * self.n)
+    }
+
+    /// coth(kd)/|k| of column `p`, over |q|.
+    pub(super) fn orbit(&self, p: usize) -> &[f32] {
+        &self.orbit[p * self.n / 2..][..self.n / 2]
+    }
+
+    /// λ coth(kd)/|k| of column `p`, over |q|.
     pub(super) fn lean(&self, p: usize) -> &[f32] {
         &self.lean[p * self.n / 2..][..self.n / 2]
     }
+}
+
+/// δ over (p, q), column by column; nothing in water at rest.
+fn drift(parameters: &SpectralTileParameters) -> Vec<f64> {
+    let &SpectralTileParameters { tile_size_m, resolution: n, water, .. } = parameters;
+    let current = water.current_mps;
+    if current == DVec2::ZERO {
+        return Vec::new();
+    }
+    let turns = |p: usize, q: usize| {
+        let turns_per_s = (p as f64 * current.x + f64::from(signed(n, q)) * current.y) / tile_size_m;
+        looped(turns_per_s, water.loop_s, 0.0)
+    };
+    (0..n / 2).flat_map(|p| (0..n).map(move |q| turns(p, q))).collect()
+}
+
+/// `turns_per_s` as it is, or the nearest that makes a whole number of turns in a loop of `loop_s`, `at_least` so
+/// many (Tessendorf 2001 takes the next lower one, which stops the longest waves).
+fn looped(turns_per_s: f64, loop_s: Option<f64>, at_least: f64) -> f64 {
+    let Some(loop_s) = loop_s else { return turns_per_s };
+    let turns = (turns_per_s * loop_s).round();
+    if turns.abs() < at_least { at_least / loop_s } else { turns / loop_s }
 }
 
 /// q from its place in a run: 0, 1 … N/2 − 1, −N/2 … −1.
@@ -102,18 +150,24 @@ pub(super) fn signed(n: usize, q: usize) -> i32 {
     if q < n / 2 { q as i32 } else { q as i32 - n as i32 }
 }
 
-/// h0 at [`cell`] (p, q): |h0|² = ΨΔk²/2, or that on average (Tessendorf 2001, "Building a
+/// h0 at [`cell`] (p, q): |h0|² is half the cell's energy, or that on average (Tessendorf 2001, "Building a
 /// Random Ocean Wave Height Field", but for the factor).
-fn initial_amplitudes(parameters: &SpectralTileParameters, cell_variance_m2: &[f64]) -> Vec<Complex<f64>> {
+fn initial_amplitudes(
+    parameters: &SpectralTileParameters,
+    stream: u64,
+    cell_variance_m2: &[f64],
+) -> Vec<Complex<f64>> {
     let n = parameters.resolution;
     let mut h0 = vec![Complex::default(); n * n];
-    for_each_draw(parameters.seed, n as i32 / 2 - 1, |p, q, draw| {
-        let modulus = match parameters.amplitudes {
-            Amplitudes::Deterministic => 1.0,
-            Amplitudes::Gaussian => draw.modulus,
-        };
+    for_each_draw(parameters.seed, stream, n as i32 / 2 - 1, |p, q, draw| {
         let i = cell(n, p, q);
-        h0[i] = draw.direction * (modulus * (0.5 * cell_variance_m2[i]).sqrt());
+        if cell_variance_m2[i] > 0.0 {
+            let modulus = match parameters.amplitudes {
+                Amplitudes::Deterministic => 1.0,
+                Amplitudes::Gaussian => draw.modulus(),
+            };
+            h0[i] = draw.direction * (modulus * (0.5 * cell_variance_m2[i]).sqrt());
+        }
     });
     h0
 }

@@ -14,19 +14,28 @@ use rustfft::num_complex::Complex;
 pub(super) struct Draw {
     /// e^{iφ} with φ uniform over the circle.
     pub(super) direction: Complex<f64>,
-    /// √(−ln u), u uniform: the modulus of a complex normal number with E|z|² = 1. With `direction` this is the
-    /// transform of Box and Muller (1958).
-    pub(super) modulus: f64,
+    /// Uniform over (0, 1).
+    uniform: f64,
 }
 
-/// Calls `visit(p, q, draw)` for every lattice point with 1 ≤ |(p, q)|∞ ≤ `rings`.
-pub(super) fn for_each_draw(seed: u64, rings: i32, mut visit: impl FnMut(i32, i32, Draw)) {
+impl Draw {
+    /// √(−ln u): the modulus of a complex normal number with E|z|² = 1. With `direction` this is the transform of
+    /// Box and Muller (1958).
+    pub(super) fn modulus(&self) -> f64 {
+        (-libm::log(self.uniform)).sqrt()
+    }
+}
+
+/// Calls `visit(p, q, draw)` for every lattice point with 1 ≤ |(p, q)|∞ ≤ `rings`. Streams of the same seed are
+/// independent of each other.
+pub(super) fn for_each_draw(seed: u64, stream: u64, rings: i32, mut visit: impl FnMut(i32, i32, Draw)) {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    rng.set_stream(stream);
     for ring in 1..=rings {
         for_each_on_ring(ring, |p, q| {
-            let (u, v) = (uniform(&mut rng), uniform(&mut rng));
-            let (cos, sin) = cos_sin_exact(v);
-            visit(p, q, Draw { direction: Complex::new(cos, sin), modulus: (-libm::log(u)).sqrt() });
+            let (uniform, turns) = (uniform(&mut rng), uniform(&mut rng));
+            let (cos, sin) = cos_sin_exact(turns);
+            visit(p, q, Draw { direction: Complex::new(cos, sin), uniform });
         });
     }
 }
@@ -55,7 +64,7 @@ mod tests {
 
     fn draws(seed: u64, rings: i32) -> Vec<(i32, i32, Draw)> {
         let mut all = Vec::new();
-        for_each_draw(seed, rings, |p, q, draw| all.push((p, q, draw)));
+        for_each_draw(seed, 0, rings, |p, q, draw| all.push((p, q, draw)));
         all
     }
 
@@ -74,6 +83,16 @@ mod tests {
         assert_ne!(draws(9, 1), draws(10, 1));
     }
 
+    #[test]
+    fn streams_of_a_seed_differ() {
+        let stream = |stream: u64| {
+            let mut all = Vec::new();
+            for_each_draw(9, stream, 1, |_, _, draw| all.push(draw));
+            all
+        };
+        assert_ne!(stream(0), stream(1));
+    }
+
     /// A seed in a scene file means the same sea in every version: these numbers never change.
     #[test]
     fn seed_seven_begins_like_this() {
@@ -86,7 +105,7 @@ mod tests {
             let (at_p, at_q, draw) = all[i];
             assert_eq!((at_p, at_q), (p, q));
             assert!((draw.direction - Complex::new(re, im)).norm() < 1e-12);
-            assert!((draw.modulus - modulus).abs() < 1e-12);
+            assert!((draw.modulus() - modulus).abs() < 1e-12);
         }
     }
 
@@ -95,7 +114,7 @@ mod tests {
     fn draws_are_complex_normal() {
         let all = draws(3, 60);
         let n = all.len() as f64;
-        let values: Vec<Complex<f64>> = all.iter().map(|(_, _, d)| d.direction * d.modulus).collect();
+        let values: Vec<Complex<f64>> = all.iter().map(|(_, _, d)| d.direction * d.modulus()).collect();
         let mean = values.iter().sum::<Complex<f64>>() / n;
         let second = values.iter().map(|z| z.norm_sqr()).sum::<f64>() / n;
         let pseudo = values.iter().map(|z| z * z).sum::<Complex<f64>>() / n;

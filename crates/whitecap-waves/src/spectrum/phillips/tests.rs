@@ -39,6 +39,21 @@ fn fully_developed_heights() {
     }
 }
 
+/// The peak of S(ω) = Ψ k/c_g along the wind, found by search, has the period that was asked for.
+#[test]
+fn the_wind_of_a_peak_period() {
+    for period in [3.0, 8.0, 14.0] {
+        let spectrum = Phillips::new(west_wind(Phillips::wind_of_peak_period_mps(period))).unwrap();
+        let density = |omega: f64| {
+            let k = omega * omega / GRAVITY_MPS2;
+            spectrum.density_m4(DVec2::new(k, 0.0)) * k * 2.0 * omega / GRAVITY_MPS2
+        };
+        let periods = (1..40_000).map(|i| f64::from(i) * 1e-3);
+        let peak = periods.max_by(|a, b| density(TAU / a).total_cmp(&density(TAU / b))).unwrap();
+        assert!((peak - period).abs() < 2e-3, "{peak}");
+    }
+}
+
 #[test]
 fn the_plane_holds_the_requested_variance() {
     for (opposing_energy, cutoff) in [(0.0, 0.0), (0.3, 0.0), (1.0, 0.0), (0.0, 0.05), (0.5, 1.0), (1.0, 9.0)]

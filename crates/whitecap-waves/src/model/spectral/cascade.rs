@@ -1,0 +1,168 @@
+//! Sharing out a sea's waves among tiles.
+//!
+//! Symbols as in the [module above](super).
+
+use super::band::Band;
+use crate::spectrum::{Profile, WaveSpectrum};
+use std::f64::consts::TAU;
+
+/// One tile of a sea, and the waves that it carries.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cascade {
+    /// L in metres.
+    pub tile_size_m: f64,
+    /// N.
+    pub resolution: usize,
+    /// Its wave numbers.
+    pub band: Band,
+}
+
+/// What a plan of cascades has to keep to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CascadeBudget {
+    /// The side of the first tile in metres; `None` for eight wavelengths of the longest peak.
+    pub tile_size_m: Option<f64>,
+    /// The shortest wave that is wanted, in metres: what a viewer can still see, or a hull feel.
+    pub shortest_wave_m: f64,
+    /// The most tiles, 1 to 8.
+    pub cascades: usize,
+    /// N of each tile.
+    pub resolution: usize,
+}
+
+/// How many of the longest system's wavelengths the first tile holds: enough that its peak is drawn by dozens of
+/// waves, in many directions.
+const PEAK_WAVELENGTHS: f64 = 8.0;
+
+/// A system of a smaller share of the energy does not decide how large the first tile is.
+const LEAST_SHARE: f64 = 1e-3;
+
+/// Waves are at least so many samples long, on every tile that has a finer one beneath it, so that a surface between
+/// the samples is smooth.
+const SAMPLES_PER_WAVE: f64 = 4.0;
+
+/// A tile holds at least so many of its longest waves: with fewer, one sees them repeat.
+const LEAST_WAVES: f64 = 6.0;
+
+impl Cascade {
+    /// The most tiles of a sea.
+    pub const MOST: usize = 8;
+
+    /// One tile that carries all waves of its lattice.
+    pub fn whole(tile_size_m: f64, resolution: usize) -> Self {
+        Self { tile_size_m, resolution, band: Band::WHOLE }
+    }
+
+    /// The tiles of these lengths in metres and resolutions, the longest first, each with the waves that are too
+    /// short for the ones before it. A wave is at least four samples long, but for those of a lone tile, which
+    /// carries its whole lattice.
+    pub fn split(tiles: &[(f64, usize)]) -> Vec<Self> {
+        if let &[(tile_size_m, resolution)] = tiles {
+            return vec![Self::whole(tile_size_m, resolution)];
+        }
+        let mut tiles = tiles.to_vec();
+        tiles.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let mut from = 0.0;
+        let cascade = |(tile_size_m, resolution): (f64, usize)| {
+            let to = (TAU * resolution as f64 / (SAMPLES_PER_WAVE * tile_size_m)).max(from);
+            let band = Band { from, to };
+            from = to;
+            Self { tile_size_m, resolution, band }
+        };
+        tiles.into_iter().map(cascade).collect()
+    }
+
+    /// Tiles for a sea of these systems: the first holds eight wavelengths of the longest peak, and as few more as
+    /// the budget allows reach down to its shortest wave; fewer waves where the budget does not reach so far.
+    ///
+    /// Lengths are in a ratio that has no small whole multiple, so that the sum of tiles shows no repeat.
+    pub fn plan<S: WaveSpectrum>(systems: &[S], budget: CascadeBudget) -> Vec<Self> {
+        let total: f64 = systems.iter().map(WaveSpectrum::variance_m2).sum();
+        let counts = systems.iter().filter(|system| system.variance_m2() > LEAST_SHARE * total);
+        let longest = counts.map(|system| TAU / Profile::of(system).peak_wave_number()).fold(0.0, f64::max);
+        // A flat sea has no peak.
+        let by_the_peak = if longest > 0.0 { (PEAK_WAVELENGTHS * longest).ceil() } else { 100.0 };
+        let first = budget.tile_size_m.unwrap_or(by_the_peak);
+
+        let n = budget.resolution;
+        let waves_per_tile = n as f64 / SAMPLES_PER_WAVE;
+        let span = (first / (waves_per_tile * budget.shortest_wave_m)).max(1.0);
+        let most = (waves_per_tile / LEAST_WAVES).max(1.5);
+        let wanted = 1 + (span.ln() / most.ln()).ceil() as usize;
+        let count = wanted.clamp(1, budget.cascades.clamp(1, Self::MOST));
+        if count == 1 {
+            return vec![Self::whole(first, n)];
+        }
+        // The golden ratio's hundredth keeps a whole ratio off whole numbers.
+        let ratio = span.powf(1.0 / (count - 1) as f64).clamp(1.5, most) * 0.993_819_66;
+        let tiles: Vec<_> = (0..count).map(|i| (first / ratio.powi(i as i32), n)).collect();
+        Self::split(&tiles)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spectrum::phillips::{Phillips, PhillipsParameters};
+    use glam::DVec2;
+
+    fn wind_sea(wind_speed_mps: f64) -> Phillips {
+        Phillips::new(PhillipsParameters {
+            wind_speed_mps,
+            toward: DVec2::X,
+            significant_height_m: None,
+            opposing_energy: 0.0,
+            small_wave_cutoff_m: 0.0,
+        })
+        .unwrap()
+    }
+
+    const BUDGET: CascadeBudget =
+        CascadeBudget { tile_size_m: None, shortest_wave_m: 0.05, cascades: 4, resolution: 256 };
+
+    #[test]
+    fn bands_meet_without_gap_or_overlap() {
+        for cascades in [
+            Cascade::split(&[(37.0, 128), (400.0, 256), (5.0, 64)]),
+            Cascade::plan(&[wind_sea(10.0)], BUDGET),
+            Cascade::plan(&[wind_sea(3.0), wind_sea(20.0)], BUDGET),
+        ] {
+            assert_eq!(cascades[0].band.from, 0.0);
+            for pair in cascades.windows(2) {
+                assert_eq!(pair[0].band.to, pair[1].band.from);
+                assert!(pair[0].tile_size_m > pair[1].tile_size_m);
+            }
+            for cascade in cascades {
+                let samples = TAU / cascade.band.to / (cascade.tile_size_m / cascade.resolution as f64);
+                assert!((samples - 4.0).abs() < 1e-9, "{cascade:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_plan_reaches_from_the_peak_to_the_shortest_wave() {
+        let cascades = Cascade::plan(&[wind_sea(2.0), wind_sea(15.0)], BUDGET);
+        let peak = TAU / Profile::of(&wind_sea(15.0)).peak_wave_number();
+        assert!((cascades[0].tile_size_m / peak / 8.0 - 1.0).abs() < 0.01);
+        let shortest = TAU / cascades.last().unwrap().band.to;
+        assert!((0.03..0.06).contains(&shortest), "{shortest}");
+        for pair in cascades.windows(2) {
+            let longest_waves = pair[1].tile_size_m * pair[1].band.from / TAU;
+            assert!(longest_waves >= 6.0, "{longest_waves}");
+        }
+    }
+
+    #[test]
+    fn a_plan_takes_no_more_tiles_than_it_needs() {
+        let few = Cascade::plan(&[wind_sea(10.0)], CascadeBudget { shortest_wave_m: 4.0, ..BUDGET });
+        assert_eq!(few.len(), 2);
+        let one = Cascade::plan(&[wind_sea(10.0)], CascadeBudget { shortest_wave_m: 100.0, ..BUDGET });
+        assert_eq!(one.len(), 1);
+        let short_of_money = Cascade::plan(&[wind_sea(20.0)], CascadeBudget { cascades: 2, ..BUDGET });
+        assert_eq!(short_of_money.len(), 2);
+        let given = Cascade::plan(&[wind_sea(20.0)], CascadeBudget { tile_size_m: Some(77.0), ..BUDGET });
+        assert_eq!(given[0].tile_size_m, 77.0);
+        let flat: [Phillips; 0] = [];
+        assert_eq!(Cascade::plan(&flat, BUDGET)[0].tile_size_m, 100.0);
+    }
+}

@@ -1,0 +1,154 @@
+//! A snapshot against the direct sum over all waves.
+
+#![allow(clippy::unwrap_used)]
+
+use super::*;
+use crate::model::spectral::{
+    Amplitudes, Band, Cascade, CascadeBudget, SpectralSea, SpectralSeaParameters, Water,
+};
+use crate::spectrum::phillips::{Phillips, PhillipsParameters};
+use crate::statistics::significant_height_m;
+use glam::DVec3;
+
+fn wind_sea(wind_speed_mps: f64) -> Phillips {
+    Phillips::new(PhillipsParameters {
+        wind_speed_mps,
+        toward: DVec2::from_angle(0.4),
+        significant_height_m: None,
+        opposing_energy: 0.1,
+        small_wave_cutoff_m: 0.0,
+    })
+    .unwrap()
+}
+
+fn sea(cascades: Vec<Cascade>, spectrum: Phillips, water: Water) -> SpectralSea {
+    let parameters = SpectralSeaParameters {
+        cascades,
+        choppiness: 1.0,
+        water,
+        seed: 11,
+        amplitudes: Amplitudes::Gaussian,
+    };
+    SpectralSea::new(parameters, &[spectrum]).unwrap()
+}
+
+/// Places all over, from the origin to 1,000 km away.
+fn places(count: u32) -> Vec<DVec2> {
+    let place = |i: u32| {
+        let far = [100.0, 3e4, 1e6][i as usize % 3];
+        far * DVec2::new(
+            (0.754_877_666 * f64::from(i + 1)).fract() - 0.5,
+            (0.569_840_291 * f64::from(i + 1)).fract() - 0.5,
+        )
+    };
+    (0..count).map(place).collect()
+}
+
+/// The water over a place by direct sums: from where the answer rests, a few steps of iteration further.
+fn directly(surface: &SpectralSea, place_m: DVec2, found: &SurfacePoint, time_s: f64) -> SurfacePoint {
+    let shift = |point: &SurfacePoint| DVec2::new(point.displacement_m.x, point.displacement_m.z);
+    let mut rest_m = place_m - shift(found);
+    for _ in 0..6 {
+        rest_m = place_m - shift(&surface.sample(rest_m, time_s));
+    }
+    surface.sample(rest_m, time_s)
+}
+
+/// 1 mm or 0.1 % of the significant height, whichever is larger, from a calm to a storm, with several tiles and
+/// with one whose shortest waves have two samples.
+#[test]
+fn a_query_is_the_direct_sum() {
+    let current = Water { current_mps: DVec2::new(0.7, -0.3), loop_s: Some(60.0), ..Water::STILL };
+    for wind_speed_mps in [3.0, 8.0, 15.0, 25.0] {
+        let spectrum = wind_sea(wind_speed_mps);
+        let length = wind_speed_mps * wind_speed_mps / crate::GRAVITY_MPS2;
+        let budget =
+            CascadeBudget { tile_size_m: None, shortest_wave_m: 0.002 * length, cascades: 3, resolution: 64 };
+        let several = sea(Cascade::plan(&[spectrum], budget), spectrum, Water::STILL);
+        let one = sea(vec![Cascade::whole(40.0 * length, 64)], spectrum, current);
+        for (surface, time_s) in [(several, 1e6), (one, -12.3)] {
+            let height_m = significant_height_m(surface.variance_m2());
+            let bound_m = (1e-3 * height_m).max(1e-3);
+            let places = places(40);
+            let (mut worst, mut compared) = (0.0_f64, 0);
+            for (place, found) in places.iter().zip(surface.query(&places, time_s).unwrap()) {
+                if found.jacobian < 0.3 {
+                    continue; // the crest all but folds
+                }
+                let expected = directly(&surface, *place, &found, time_s);
+                worst = worst.max((found.height_m() - expected.height_m()).abs());
+                let along = found.displacement_m - expected.displacement_m;
+                assert!(along.length() < 3.0 * bound_m, "{along}");
+                assert!(found.normal.distance(expected.normal) < 0.01, "{}", found.normal - expected.normal);
+                let speed = found.velocity_mps.distance(expected.velocity_mps);
+                assert!(speed < 0.01 * expected.velocity_mps.length() + 2e-3 * height_m, "{speed}");
+                compared += 1;
+            }
+            assert!(compared > 35, "{compared}");
+            assert!(worst < bound_m, "Hs {height_m}: {worst}");
+        }
+    }
+}
+
+/// The height over a place is where the water over it is, not the height over the same rest point.
+#[test]
+fn the_water_is_over_the_place_asked_for() {
+    let spectrum = wind_sea(12.0);
+    let surface = sea(vec![Cascade::whole(400.0, 64)], spectrum, Water::STILL);
+    let places = places(50);
+    let mut moved = 0;
+    for (place, found) in places.iter().zip(surface.query(&places, 5.0).unwrap()) {
+        let along = DVec2::new(found.displacement_m.x, found.displacement_m.z);
+        let there = surface.sample(place - along, 5.0);
+        let back = DVec2::new(there.displacement_m.x, there.displacement_m.z) - along;
+        assert!(back.length() < 5e-3 || found.jacobian < 0.3, "{back}");
+        moved += i32::from(along.length() > 0.2);
+    }
+    assert!(moved > 20, "{moved}");
+}
+
+#[test]
+fn a_snapshot_serves_again_and_again() {
+    let spectrum = wind_sea(9.0);
+    let large = sea(vec![Cascade::whole(200.0, 32)], spectrum, Water::STILL);
+    let small = sea(Cascade::split(&[(150.0, 64), (20.0, 32)]), spectrum, Water::STILL);
+    let places = places(9);
+    let mut snapshot = Snapshot::new(&large);
+    assert!(snapshot.query(&places).unwrap().iter().all(|point| point.displacement_m == DVec3::ZERO));
+    for (surface, time_s) in [(&large, 3.0), (&small, 4.0), (&large, 3.0)] {
+        snapshot.take(surface, time_s).unwrap();
+        assert_eq!(snapshot.query(&places).unwrap(), surface.query(&places, time_s).unwrap());
+    }
+}
+
+#[test]
+fn what_is_not_finite_is_refused_by_every_surface() {
+    let spectrum = wind_sea(9.0);
+    let spectral = sea(vec![Cascade::whole(200.0, 32)], spectrum, Water::STILL);
+    let surfaces: [&dyn Surface; 2] = [&spectral, &crate::model::Calm];
+    for surface in surfaces {
+        let error = surface.query(&[DVec2::ZERO, DVec2::new(1.0, f64::NAN)], 0.0).unwrap_err();
+        assert_eq!(error.to_string(), "place 1 is (1, NaN), but both coordinates must be finite");
+        let error = surface.query(&[DVec2::ZERO], f64::INFINITY).unwrap_err();
+        assert_eq!(error.to_string(), "the time is inf s, but must be finite");
+        assert!(surface.query(&[], 0.0).unwrap().is_empty());
+    }
+}
+
+#[test]
+fn a_band_alone_is_asked_in_its_band() {
+    let band = Band { from: 0.2, to: 0.5 };
+    let cascade = Cascade { band, ..Cascade::whole(300.0, 128) };
+    let parameters = SpectralSeaParameters {
+        cascades: vec![Cascade::whole(300.0, 64), cascade],
+        choppiness: 0.0,
+        water: Water::STILL,
+        seed: 3,
+        amplitudes: Amplitudes::Deterministic,
+    };
+    let surface = SpectralSea::new(parameters, &[wind_sea(9.0)]).unwrap();
+    let at = [DVec2::new(3.0, 4.0)];
+    let point = surface.query(&at, 0.0).unwrap()[0];
+    let direct: f64 = surface.tiles().iter().map(|tile| tile.sample(at[0], 0.0).height_m()).sum();
+    assert!((point.height_m() - direct).abs() < 1e-3);
+}
