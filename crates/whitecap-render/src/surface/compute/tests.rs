@@ -8,7 +8,7 @@ use crate::gpu::read_buffer;
 use crate::shader_lib::layout::assert_layout;
 use glam::DVec2;
 use std::f64::consts::TAU;
-use whitecap_waves::model::spectral::{Amplitudes, SpectralTileParameters};
+use whitecap_waves::model::spectral::{Amplitudes, Band, SpectralTileParameters, Water};
 use whitecap_waves::model::{TileFields, WaveModel};
 use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
 
@@ -17,7 +17,7 @@ mod one_wave;
 mod phases;
 mod timing;
 
-/// A sea with waves in all directions.
+/// A sea with waves in all directions, on a current.
 fn sea(resolution: usize, choppiness: f64) -> SpectralTile {
     let wind = Phillips::new(PhillipsParameters {
         wind_speed_mps: 9.0,
@@ -29,7 +29,9 @@ fn sea(resolution: usize, choppiness: f64) -> SpectralTile {
     let parameters = SpectralTileParameters {
         tile_size_m: 250.0,
         resolution,
+        band: Band::WHOLE,
         choppiness,
+        water: Water { current_mps: DVec2::new(0.7, -0.4), ..Water::STILL },
         seed: 42,
         amplitudes: Amplitudes::Gaussian,
     };

@@ -80,7 +80,7 @@ impl WaveConstants {
         };
         for column in (0..n / 2).map(|p| tile.column(p)) {
             constants.amplitudes.extend((0..n).map(|q| column.amplitudes.map(|part| part[q])));
-            constants.frequencies.extend(frequencies(column.turns_per_s, None));
+            constants.frequencies.extend(frequencies(column.turns_per_s, column.drift_turns_per_s));
             constants.lean.extend(column.lean);
         }
         constants

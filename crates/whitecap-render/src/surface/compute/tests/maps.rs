@@ -126,7 +126,13 @@ impl Surface for Level {
         0.0
     }
     fn sample(&self, _rest_m: DVec2, _time_s: f64) -> SurfacePoint {
-        SurfacePoint { displacement_m: DVec3::ZERO, normal: DVec3::Y, jacobian: 1.0, slope: DVec2::ZERO }
+        SurfacePoint {
+            displacement_m: DVec3::ZERO,
+            normal: DVec3::Y,
+            jacobian: 1.0,
+            slope: DVec2::ZERO,
+            velocity_mps: DVec3::ZERO,
+        }
     }
 }
 
