@@ -79,8 +79,8 @@ pub struct Tiling {
 /// What ten samples of a picture taken from eye height show at the viewer's feet.
 const SHORTEST_WAVE_M: f64 = 0.1;
 
-/// Less of a system than this on the tiles is worth a warning.
-const FULL: f64 = 0.995;
+/// Less of a system than this on the tiles is worth a warning: its height is 1 % lower than was asked for.
+const FULL: f64 = 0.98;
 
 impl SpectralSettings {
     fn read_checked(table: &TableReader<'_>) -> Result<Self, SceneError> {

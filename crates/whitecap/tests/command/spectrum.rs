@@ -38,13 +38,13 @@ fn scene(folder: &Path, sea: &str, systems: &[&str]) -> &'static str {
 fn what_is_asked_for_is_what_the_spectrum_holds_and_what_the_surface_has() {
     let folder = tempfile::tempdir().unwrap();
     let system = "wind_speed_mps = 8.0\nfrom_deg = 340.0\nsignificant_height_m = 2.0";
-    let name = scene(folder.path(), "tile_size_m = 500.0\nresolution = 128", &[system]);
+    let name = scene(folder.path(), "tile_size_m = 300.0\nresolution = 256", &[system]);
     let found = spectrum(folder.path(), &[name]);
     for column in ["requested", "theory", "surface"] {
         let numbers = found[column].as_object().unwrap();
         assert!(KEYS.iter().all(|key| numbers.contains_key(*key)), "{column}: {numbers:?}");
-        near(&numbers["significant_height_m"], 2.0, 0.002);
-        near(&numbers["m0_m2"], 0.25, 0.0005);
+        near(&numbers["significant_height_m"], 2.0, 0.02);
+        near(&numbers["m0_m2"], 0.25, 0.005);
         near(&numbers["mean_direction_from_deg"], 340.0, 1.0);
     }
     assert_eq!(found["requested"]["peak_period_s"], Value::Null);
@@ -62,10 +62,10 @@ fn what_is_asked_for_is_what_the_spectrum_holds_and_what_the_surface_has() {
     assert!(slopes["resolved"].as_f64().unwrap() < slopes["total"].as_f64().unwrap());
     near(&found["whitecap_cover"], 3.84e-6 * 8.0_f64.powf(3.41), 1e-9);
     let cascade = &found["cascades"][0];
-    assert_eq!((&cascade["tile_size_m"], &cascade["resolution"]), (&500.0.into(), &128.into()));
-    near(&cascade["shortest_wavelength_m"], 7.8125, 1e-9);
-    near(&cascade["longest_wavelength_m"], 500.0, 1e-9);
-    near(&cascade["m0_m2"], 0.25, 0.001);
+    assert_eq!((&cascade["tile_size_m"], &cascade["resolution"]), (&300.0.into(), &256.into()));
+    near(&cascade["shortest_wavelength_m"], 2.34375, 1e-9);
+    near(&cascade["longest_wavelength_m"], 300.0, 1e-9);
+    near(&cascade["m0_m2"], 0.25, 0.005);
     assert_eq!(found["warnings"], serde_json::json!([]));
 }
 
@@ -78,7 +78,7 @@ fn variances_of_systems_add() {
     let tile = "tile_size_m = 500.0\nresolution = 128";
     let found = spectrum(folder.path(), &[scene(folder.path(), tile, &[&sea_3, &swell_4])]);
     for column in ["requested", "theory", "surface"] {
-        near(&found[column]["significant_height_m"], 0.5, 0.005);
+        near(&found[column]["significant_height_m"], 0.5, 0.012);
     }
     assert_eq!(found["requested"]["mean_direction_from_deg"], Value::Null, "two have no one direction");
     assert_eq!(found["systems"][1]["significant_height_m"], 0.4);
@@ -100,9 +100,10 @@ fn another_seed_is_another_surface_of_the_same_spectrum() {
 #[test]
 fn a_tile_that_is_too_small_is_warned_of() {
     let folder = tempfile::tempdir().unwrap();
-    let name = scene(folder.path(), "tile_size_m = 60.0", &["wind_speed_mps = 9.0\nfrom_deg = 0.0"]);
+    let name = scene(folder.path(), "tile_size_m = 45.0", &["wind_speed_mps = 9.0\nfrom_deg = 0.0"]);
     let told = stdout(&whitecap(folder.path()).args(["spectrum", name]).assert().success());
-    assert!(told.contains("warning: the surface has room for "), "{told}");
+    let warning = "warning: sea.system[0]: its tiles carry ";
+    assert!(told.contains(warning) && told.contains("tile_size_m = 509 holds them"), "{told}");
 }
 
 #[test]
