@@ -25,6 +25,9 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::technique::five_sample::stages", "five_sample_stages", &[]),
     ("package::technique::five_sample::dome", "five_sample_dome", &[]),
     ("package::technique::five_sample::twins", "five_sample_twins", &[]),
+    ("package::technique::spectral_ocean::spectral_ocean", "spectral_ocean", &[]),
+    ("package::technique::spectral_ocean::spectral_ocean", "spectral_ocean_per_sample", &["per_sample"]),
+    ("package::technique::spectral_ocean::vertices", "spectral_ocean_vertices", &[]),
     ("package::shader_lib::twins", "twins", &[]),
     ("package::shader_lib::sines_twins", "sines_twins", &[]),
 ];
