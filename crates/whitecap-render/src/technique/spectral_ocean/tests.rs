@@ -224,7 +224,7 @@ fn near_the_viewer_the_drawn_sea_is_the_sea() {
         let eye = DVec2::new(eye_m.x, eye_m.z);
         let cell_m = technique.cell_m(eye_m.y);
         let grid: Vec<[f32; 4]> =
-            (0..60).map(|i| [(i * 7 % 41 - 20) as f32, (i * 11 % 37 - 18) as f32, 0.0, 0.0]).collect();
+            (0..60).map(|i| [(i * 7 % 25 - 12) as f32, (i * 11 % 23 - 11) as f32, 0.0, 0.0]).collect();
         let drawn = read_vertices(device, queue, &technique, &view, &grid);
         let (mut sum, mut worst) = (0.0, 0.0_f64);
         for ([x, z, ..], drawn) in grid.iter().zip(&drawn) {
