@@ -8,8 +8,8 @@ use whitecap_render::shader_lib;
 use whitecap_render::technique::meshuggah::normals::{bump_frame, world_from_bump};
 use whitecap_tests::adapter::gpu;
 use whitecap_waves::optics::{
-    WATER_REFRACTIVE_INDEX, WaterBody, curvature_drop_m, exposure_split, fresnel_exact, fresnel_jensen_golias,
-    visible_cosine, water_color_single_scatter,
+    WATER_REFRACTIVE_INDEX, WaterBody, curvature_drop_m, exposure_split, fresnel_exact,
+    fresnel_jensen_golias, visible_cosine, water_color_single_scatter,
 };
 
 /// Runs `twins.wesl` on inputs of two vectors and gives back four for each.
@@ -51,7 +51,11 @@ fn the_gpus_functions_equal_the_cpus() {
         assert_near(water[0], fresnel_exact(x, WATER_REFRACTIVE_INDEX), "fresnel_exact, into water");
         // From below it rises without bound to total reflection at the critical angle, a cosine of 0.661.
         if (x - 0.661).abs() > 0.01 {
-            assert_near(water[1], fresnel_exact(x, 1.0 / WATER_REFRACTIVE_INDEX), "fresnel_exact, out of water");
+            assert_near(
+                water[1],
+                fresnel_exact(x, 1.0 / WATER_REFRACTIVE_INDEX),
+                "fresnel_exact, out of water",
+            );
         }
         assert_near(water[2], single_scatter_deep(f64::from(b[0]).abs(), x), "single_scatter_deep");
         let bump = Vec3::new(a[0], a[1], a[2]);

@@ -210,34 +210,35 @@ fn drawn_vertices_are_the_sum_of_the_tiles() {
     });
 }
 
-/// Near the viewer what is drawn is what the sea says, as well as a spline through four samples a wave can say it: to
-/// a quarter of a per cent of the significant height, root mean square.
+/// Near the viewer what is drawn is what the sea says, as well as a spline through four samples of the shortest waves can
+/// say it: to half a per cent of the significant height, root mean square. A linear mean is three times as far off.
 #[test]
 fn near_the_viewer_the_drawn_sea_is_the_sea() {
     let sea = scene().sea.build(scene().seed).unwrap();
     with_technique(&scene(), |device, queue, mut technique| {
-        let (eye_m, time_s) = EYES[1];
-        let view = view_from(eye_m);
+        let time_s = 3.7;
         for maps in &mut technique.tiles {
             maps.update(queue, time_s);
         }
-        let eye = DVec2::new(eye_m.x, eye_m.z);
-        let cell_m = technique.cell_m(eye_m.y);
-        let grid: Vec<[f32; 4]> =
-            (0..60).map(|i| [(i * 7 % 25 - 12) as f32, (i * 11 % 23 - 11) as f32, 0.0, 0.0]).collect();
-        let drawn = read_vertices(device, queue, &technique, &view, &grid);
-        let (mut sum, mut worst) = (0.0, 0.0_f64);
-        for ([x, z, ..], drawn) in grid.iter().zip(&drawn) {
-            let rest_m =
-                (eye / cell_m).round() * cell_m + DVec2::new(f64::from(*x), f64::from(*z)) * cell_m;
-            let from_eye = DVec3::new(rest_m.x, 0.0, rest_m.y) - eye_m;
-            assert!(from_eye.length() < technique.uniforms(&view).cascades[3].fade_start_m.into());
-            let drawn = DVec3::new(drawn[0].into(), drawn[1].into(), drawn[2].into()) - from_eye;
-            let error = (drawn - sea.sample(rest_m, time_s).displacement_m).length() / technique.sway_m;
-            (sum, worst) = (sum + error * error, worst.max(error));
+        let grid = [[0.0_f32; 4], [-12.0, 7.0, 0.0, 0.0], [9.0, 11.0, 0.0, 0.0], [3.0, -12.0, 0.0, 0.0]];
+        let (mut sum, mut worst, mut count) = (0.0, 0.0_f64, 0.0);
+        for i in 0..24 {
+            let eye_m = DVec3::new(-31.7 + 373.1 * f64::from(i), 1.0, 811.2 - 1_917.3 * f64::from(i * i));
+            let view = view_from(eye_m);
+            let cell_m = technique.cell_m(eye_m.y);
+            let drawn = read_vertices(device, queue, &technique, &view, &grid);
+            for ([x, z, ..], drawn) in grid.iter().zip(&drawn) {
+                let cells = (DVec2::new(eye_m.x, eye_m.z) / cell_m).round();
+                let rest_m = (cells + DVec2::new(f64::from(*x), f64::from(*z))) * cell_m;
+                let from_eye = DVec3::new(rest_m.x, 0.0, rest_m.y) - eye_m;
+                assert!(from_eye.length() < technique.uniforms(&view).cascades[3].fade_start_m.into());
+                let drawn = DVec3::new(drawn[0].into(), drawn[1].into(), drawn[2].into()) - from_eye;
+                let error = (drawn - sea.sample(rest_m, time_s).displacement_m).length() / technique.sway_m;
+                (sum, worst, count) = (sum + error * error, worst.max(error), count + 1.0);
+            }
         }
-        let rms = (sum / grid.len() as f64).sqrt();
-        assert!(rms < 0.0025 && worst < 0.006, "rms {rms}, worst {worst}");
+        let rms = (sum / count).sqrt();
+        assert!(rms < 0.005 && worst < 0.012, "rms {rms}, worst {worst}");
     });
 }
 

@@ -71,3 +71,45 @@ impl Wedge {
         middle.angle_to(bearing).abs() <= half_rad + FRAC_PI_8 + margin_rad
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::View;
+    use whitecap_scene::Camera;
+
+    fn seen(look_at_m: [f64; 3], grid: &NestedGrid) -> Vec<Range<u32>> {
+        let camera = Camera { position_m: [0.0, 5.0, 0.0], look_at_m, vertical_fov_deg: 45.0 };
+        Wedge::of(View::of_camera(&camera, [1280, 720]).clip_from_eye_world()).visible(grid, 0.125, 2.0)
+    }
+
+    /// Every vertex on the screen belongs to a part that is drawn, and most of the others do not.
+    #[test]
+    fn a_level_view_sees_its_own_bearings() {
+        let grid = NestedGrid::new(64, 8, 1e4);
+        for azimuth in 0..32 {
+            let toward = Vec2::from_angle(azimuth as f32 * 0.197);
+            let look_at_m = [f64::from(toward.x) * 50.0, 2.0, f64::from(toward.y) * 50.0];
+            let parts = seen(look_at_m, &grid);
+            let drawn: u32 = parts.iter().map(|part| part.end - part.start).sum();
+            assert!((drawn as usize) < 3 * grid.indices.len() / 4, "{drawn} of {}", grid.indices.len());
+            for (i, &vertex) in grid.indices.iter().enumerate() {
+                let [x, z, _] = grid.vertices[vertex as usize];
+                // 36° to either side are in the picture.
+                if toward.angle_to(Vec2::new(x, z)).abs() < 0.63 {
+                    assert!(parts.iter().any(|part| part.contains(&(i as u32))), "{azimuth}: {x}, {z}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_steep_view_sees_all_round() {
+        let grid = NestedGrid::new(16, 3, 100.0);
+        for look_at_m in [[0.0, 0.0, 0.0], [1.0, 0.0, 1.0], [0.0, 100.0, 0.001]] {
+            let all = 0..grid.indices.len() as u32;
+            assert_eq!(seen(look_at_m, &grid), [all]);
+        }
+        assert_eq!(Wedge::of(Mat4::IDENTITY), Wedge::All);
+    }
+}
