@@ -33,6 +33,9 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::surface::compute::mips", "spectral_mips", &[]),
     ("package::surface::compute::lost_variance", "spectral_lost_variance", &[]),
     ("package::surface::compute::twins", "spectral_twins", &[]),
+    ("package::technique::spectral_ocean::spectral_ocean", "spectral_ocean", &[]),
+    ("package::technique::spectral_ocean::spectral_ocean", "spectral_ocean_per_sample", &["per_sample"]),
+    ("package::technique::spectral_ocean::vertices", "spectral_ocean_vertices", &[]),
     ("package::shader_lib::twins", "twins", &[]),
     ("package::shader_lib::sines_twins", "sines_twins", &[]),
 ];

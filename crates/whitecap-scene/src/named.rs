@@ -47,6 +47,8 @@ scenes! {
     "five-sample-08-less-green": "Berglund's stage 08: with less green near the viewer",
     "five-sample-09-broken-sun": "Berglund's stage 09: an example of breakage on the last night",
     "five-sample-island": "Berglund's sea with what he left for later: a clear shallow, reflections, a beach",
+    "spectral-ocean": "Our ocean: a fresh trade wind and a swell, from 5 m",
+    "spectral-ocean-storm": "Our ocean in a storm, from a ship's deck",
 }
 
 /// The named scene of this name.

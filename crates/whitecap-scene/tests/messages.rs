@@ -113,7 +113,8 @@ fn wrong_types() {
     assert_eq!(
         message("technique", "technique = 3"),
         "storm.toml:1: technique = 3: found an integer, wanted a string; \
-         accepted: \"ocean-water\", \"rippling-lake\", \"projected-grid\", \"meshuggah\", \"five-sample\""
+         accepted: \"ocean-water\", \"rippling-lake\", \"projected-grid\", \"meshuggah\", \"five-sample\", \
+         \"spectral-ocean\""
     );
     assert_eq!(
         message("tile_repeats", "deep_color = [1, 0.1]"),
@@ -143,7 +144,7 @@ fn unknown_keys() {
         message("[meshuggah]", "[meshuga]"),
         "storm.toml:14: meshuga: unknown key; did you mean \"meshuggah\"? \
          accepted here: camera, five-sample, meshuggah, object, ocean-water, projected-grid, \
-         rippling-lake, sea, seed, sky, technique"
+         rippling-lake, sea, seed, sky, spectral-ocean, technique"
     );
     assert_eq!(
         message("position_m", "\"two\\nlines\" = 1"),
@@ -166,7 +167,8 @@ fn unknown_words() {
     assert_eq!(
         message("technique", "technique = \"meshugah\""),
         "storm.toml:1: technique = \"meshugah\": no such technique; did you mean \"meshuggah\"? \
-         accepted: \"ocean-water\", \"rippling-lake\", \"projected-grid\", \"meshuggah\", \"five-sample\""
+         accepted: \"ocean-water\", \"rippling-lake\", \"projected-grid\", \"meshuggah\", \"five-sample\", \
+         \"spectral-ocean\""
     );
     assert_eq!(
         message("spectrum", "spectrum = \"brown\""),

@@ -5,7 +5,7 @@ use glam::{DVec3, Vec3};
 use whitecap_render::gpu::read_texture;
 use whitecap_render::picture::{PictureRequest, render_picture};
 use whitecap_render::{Gpu, MAX_VIEWS, RenderError, TargetFormat, View, Water};
-use whitecap_scene::{Camera, Scene, technique};
+use whitecap_scene::{Camera, Scene, Technique, technique};
 use whitecap_tests::adapter::gpu;
 
 const SIZE: [u32; 2] = [64, 36];
@@ -15,6 +15,10 @@ const NOTHING: wgpu::Color = wgpu::Color { r: 1.0, g: 0.0, b: 1.0, a: 1.0 };
 
 fn scene() -> Scene {
     whitecap_scene::open("meshuggah").unwrap()
+}
+
+fn ocean() -> Scene {
+    whitecap_scene::open("spectral-ocean").unwrap()
 }
 
 /// The scene that each technique is shown by.
@@ -154,20 +158,32 @@ fn several_views_in_one_frame_equal_each_alone() {
     assert!(matches!(refused, Err(RenderError::LimitExceeded { .. })));
 }
 
-/// The sea repeats every tile and the bump map every 600/63 m: a thousand kilometres further on, at a
+/// Meshuggah's sea repeats every tile and its bump map every 600/63 m: a thousand kilometres further on, at a
 /// multiple of both, the picture must be the same to the last level or two.
 #[test]
 fn a_thousand_kilometres_from_the_origin_nothing_trembles() {
     let Some(gpu) = gpu() else { return };
     let target = TargetFormat::default();
-    let mut water = Water::new(&gpu.device, &gpu.queue, &scene(), target).unwrap();
-    let eye = DVec3::new(12.3, 4.0, -45.6);
-    let toward = DVec3::new(-1.0, -0.15, 0.3);
-    let here = frame(gpu, &mut water, &target, look(eye, toward), 3.0, true);
-    let there = look(eye + DVec3::new(1_000_200.0, 0.0, -999_600.0), toward);
-    let there = frame(gpu, &mut water, &target, there, 3.0, true);
-    let unequal = here.iter().zip(&there).filter(|(a, b)| a.abs_diff(**b) > 2).count();
-    assert!(unequal * 500 < here.len(), "{unequal} of {} values differ", here.len());
+    // Four tiles that have a common multiple, which is also one of the mesh's largest cell.
+    let ocean = whitecap_scene::named::find("spectral-ocean").unwrap().toml.replace(
+        "[[sea.system]]\nspectrum = \"phillips\"\nwind_speed_mps = 11.0",
+        "cascade = [\n  { tile_size_m = 400.0 },\n  { tile_size_m = 80.0 },\n  { tile_size_m = 16.0 },\n  \
+         { tile_size_m = 3.2 },\n]\n\n[[sea.system]]\nspectrum = \"phillips\"\nwind_speed_mps = 11.0",
+    );
+    let ocean = Scene::from_toml(&ocean, "ocean.toml").unwrap();
+    for (scene, shift_m) in [
+        (scene(), DVec3::new(1_000_200.0, 0.0, -999_600.0)),
+        (ocean, DVec3::new(1_024_000.0, 0.0, -1_011_200.0)),
+    ] {
+        let mut water = Water::new(&gpu.device, &gpu.queue, &scene, target).unwrap();
+        let eye = DVec3::new(12.3, 4.0, -45.6);
+        let toward = DVec3::new(-1.0, -0.15, 0.3);
+        let here = frame(gpu, &mut water, &target, look(eye, toward), 3.0, true);
+        let there = frame(gpu, &mut water, &target, look(eye + shift_m, toward), 3.0, true);
+        let unequal = here.iter().zip(&there).filter(|(a, b)| a.abs_diff(**b) > 2).count();
+        let word = scene.technique.word();
+        assert!(unequal * 500 < here.len(), "{word}: {unequal} of {} values differ", here.len());
+    }
 }
 
 /// For cameras of all heights and directions: water wherever the ray meets the sea, none above it.
@@ -175,10 +191,19 @@ fn a_thousand_kilometres_from_the_origin_nothing_trembles() {
 fn water_is_where_it_should_be_for_every_camera() {
     let Some(gpu) = gpu() else { return };
     let target = TargetFormat::default();
-    let mut scene = scene();
-    let whitecap_scene::Technique::Meshuggah(settings) = &mut scene.technique else { panic!() };
-    settings.visibility_km = 1e6; // haze would hide a hole
-    let mut water = Water::new(&gpu.device, &gpu.queue, &scene, target).unwrap();
+    for mut scene in [scene(), ocean()] {
+        match &mut scene.technique {
+            // Haze would hide a hole.
+            Technique::Meshuggah(settings) => settings.visibility_km = 1e6,
+            Technique::SpectralOcean(settings) => settings.visibility_km = 1e6,
+            _ => panic!(),
+        }
+        let mut water = Water::new(&gpu.device, &gpu.queue, &scene, target).unwrap();
+        for_every_camera(|view, time_s| frame(gpu, &mut water, &target, view, time_s, false));
+    }
+}
+
+fn for_every_camera(mut frame: impl FnMut(View, f64) -> Vec<u8>) {
     let mut random = Lcg(1);
     for camera in 0..60 {
         let height = [2.5, 6.0, 30.0, 400.0, 9_000.0][camera % 5] * (1.0 + random.next());
@@ -192,7 +217,7 @@ fn water_is_where_it_should_be_for_every_camera() {
         let toward = DVec3::new(azimuth.cos() * pitch.cos(), pitch.sin(), azimuth.sin() * pitch.cos());
         let eye = DVec3::new(1e4 * random.next(), height, 1e4 * random.next());
         let view = look(eye, toward);
-        let pixels = frame(gpu, &mut water, &target, view, 40.0 * random.next(), false);
+        let pixels = frame(view, 40.0 * random.next());
         let world_from_clip = view.clip_from_eye_world().inverse();
         // Waves stand some metres about the level and hide the horizon's last pixels.
         let dip = (2.0 * height / 6.371e6).sqrt();
@@ -220,24 +245,26 @@ fn water_is_where_it_should_be_for_every_camera() {
 #[test]
 fn the_far_sea_is_calm() {
     let Some(gpu) = gpu() else { return };
-    let mut scene = scene();
-    // Away from the sun, whose glints may come and go.
-    scene.camera.look_at_m = [300.0, 0.0, 0.0];
-    let picture = |time_s| {
-        let request = PictureRequest { width: 320, height: 180, time_s };
-        render_picture(gpu, &scene, &request, &mut |_| {}).unwrap().rgba8
-    };
-    let (now, then) = (picture(10.0), picture(10.0 + 1.0 / 30.0));
-    let row = |y: usize| y * 320 * 4..(y + 1) * 320 * 4;
-    let mean_change = |rows: std::ops::Range<usize>| {
-        let count = rows.len() * 320 * 4;
-        let sum: f64 = rows.flat_map(row).map(|i| f64::from(now[i].abs_diff(then[i]))).sum();
-        sum / count as f64
-    };
-    // The camera looks 0.76° down: the horizon lies a little above the middle row.
-    let far = mean_change(85..92);
-    assert!(far < 2.0, "the horizon changes by {far} levels in 1/30 s");
-    assert!(mean_change(120..180) > 0.2, "the near sea stands still");
+    for mut scene in [scene(), ocean()] {
+        // Away from the sun, whose glints may come and go; 0.76° down: the horizon lies a little above the middle row.
+        let eye_height_m = scene.camera.position_m[1];
+        scene.camera.look_at_m = [300.0, eye_height_m - 4.0, 0.0];
+        let word = scene.technique.word();
+        let picture = |time_s| {
+            let request = PictureRequest { width: 320, height: 180, time_s };
+            render_picture(gpu, &scene, &request, &mut |_| {}).unwrap().rgba8
+        };
+        let (now, then) = (picture(10.0), picture(10.0 + 1.0 / 30.0));
+        let row = |y: usize| y * 320 * 4..(y + 1) * 320 * 4;
+        let mean_change = |rows: std::ops::Range<usize>| {
+            let count = rows.len() * 320 * 4;
+            let sum: f64 = rows.flat_map(row).map(|i| f64::from(now[i].abs_diff(then[i]))).sum();
+            sum / count as f64
+        };
+        let far = mean_change(85..92);
+        assert!(far < 2.0, "{word}: the horizon changes by {far} levels in 1/30 s");
+        assert!(mean_change(120..180) > 0.2, "{word}: the near sea stands still");
+    }
 }
 
 #[test]
@@ -364,6 +391,35 @@ fn no_setting_is_without_effect() {
     {
         let changed = table.replacen("tile_repeats = 4", &format!("tile_repeats = 4\n{to}"), 1);
         assert_ne!(render(&changed), before_table, "{to} changes nothing");
+    }
+}
+
+/// The same for the settings that only the spectral ocean has.
+#[test]
+fn no_setting_of_the_ocean_is_without_effect() {
+    let Some(gpu) = gpu() else { return };
+    let base = whitecap_scene::named::find("spectral-ocean").unwrap().toml;
+    let render = |toml: &str| {
+        let scene = Scene::from_toml(toml, "test.toml").unwrap_or_else(|e| panic!("{e}"));
+        let request = PictureRequest { width: 96, height: 54, time_s: 1.0 };
+        render_picture(gpu, &scene, &request, &mut |_| {}).unwrap().rgba8
+    };
+    let before = render(base);
+    let changes = [
+        ("scattering_per_m = [0.007,", "scattering_per_m = [0.07,"),
+        ("extinction_per_m = [0.36,", "extinction_per_m = [0.1,"),
+        ("visibility_km = 16.0", "visibility_km = 3.0"),
+        ("visibility_km = 16.0", "visibility_km = 16.0\ncurvature_radius_km = 20.0"),
+        ("model = \"spectral\"", "model = \"spectral\"\ncascades = 1"),
+        ("model = \"spectral\"", "model = \"spectral\"\ncascades = 3"),
+        ("model = \"spectral\"", "model = \"spectral\"\nresolution = 128"),
+        ("model = \"spectral\"", "model = \"spectral\"\ntile_size_m = 700.0"),
+        ("model = \"spectral\"", "model = \"spectral\"\nshortest_wave_m = 1.0"),
+        ("from_deg = 330.0", "from_deg = 300.0"),
+    ];
+    for (from, to) in changes {
+        assert!(base.contains(from), "the scene has no {from}");
+        assert_ne!(render(&base.replacen(from, to, 1)), before, "{to} changes nothing");
     }
 }
 

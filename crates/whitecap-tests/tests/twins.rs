@@ -7,10 +7,13 @@ use whitecap_render::gpu::for_tests::compute;
 use whitecap_render::shader_lib;
 use whitecap_render::technique::meshuggah::normals::{bump_frame, world_from_bump};
 use whitecap_tests::adapter::gpu;
-use whitecap_waves::optics::{curvature_drop_m, exposure_split, fresnel_jensen_golias, visible_cosine};
+use whitecap_waves::optics::{
+    WATER_REFRACTIVE_INDEX, WaterBody, curvature_drop_m, exposure_split, fresnel_exact,
+    fresnel_jensen_golias, visible_cosine, water_color_single_scatter,
+};
 
-/// Runs `twins.wesl` on inputs of two vectors and gives back three for each.
-fn run(inputs: &[[[f32; 4]; 2]]) -> Option<Vec<[[f32; 4]; 3]>> {
+/// Runs `twins.wesl` on inputs of two vectors and gives back four for each.
+fn run(inputs: &[[[f32; 4]; 2]]) -> Option<Vec<[[f32; 4]; 4]>> {
     let gpu = gpu()?;
     Some(compute(gpu, &shader_lib::TWINS, "cs_run", inputs))
 }
@@ -30,7 +33,7 @@ fn the_gpus_functions_equal_the_cpus() {
         })
         .collect();
     let Some(outputs) = run(&inputs) else { return };
-    for ([a, b], [light, surface, normal]) in inputs.iter().zip(&outputs) {
+    for ([a, b], [light, surface, normal, water]) in inputs.iter().zip(&outputs) {
         let [x, variance, distance, radius] = a.map(f64::from);
         assert_near(light[0], fresnel_jensen_golias(x), "fresnel_jensen_golias");
         let (integer, fraction) = exposure_split(x);
@@ -45,11 +48,34 @@ fn the_gpus_functions_equal_the_cpus() {
         assert_near(surface[2], linear_from_display(a[0]).into(), "linear_from_display");
         assert_near(surface[3], exposed(a[0]).into(), "exposed");
         assert_near(normal[3], display_from_linear(a[0]).into(), "display_from_linear");
+        assert_near(water[0], fresnel_exact(x, WATER_REFRACTIVE_INDEX), "fresnel_exact, into water");
+        // From below it rises without bound to total reflection at the critical angle, a cosine of 0.661.
+        if (x - 0.661).abs() > 0.01 {
+            assert_near(
+                water[1],
+                fresnel_exact(x, 1.0 / WATER_REFRACTIVE_INDEX),
+                "fresnel_exact, out of water",
+            );
+        }
+        assert_near(water[2], single_scatter_deep(f64::from(b[0]).abs(), x), "single_scatter_deep");
         let bump = Vec3::new(a[0], a[1], a[2]);
         let expected = world_from_bump(bump_frame(Vec2::new(b[0], b[1])), bump);
         let seen = Vec3::new(normal[0], normal[1], normal[2]);
         assert!((seen - expected).abs().max_element() < 1e-6 * bump.length().max(1.0), "{seen} {expected}");
     }
+}
+
+/// Single scattering without a bottom, with βE/c = 1 for a level irradiance E: a plane across the ray has E/μs.
+fn single_scatter_deep(sun_cos: f64, view_cos: f64) -> f64 {
+    let sine = (1.0 - sun_cos.min(1.0).powi(2)).sqrt() / WATER_REFRACTIVE_INDEX;
+    let body = WaterBody {
+        scattering_per_m: [1.0; 3],
+        extinction_per_m: [1.0; 3],
+        depth_m: f64::INFINITY,
+        sun_irradiance: [1.0 / (1.0 - sine * sine).sqrt(); 3],
+        sun_cos,
+    };
+    water_color_single_scatter(view_cos, &body)[0]
 }
 
 /// The reference values of the techniques' texts, as the shader computes them.

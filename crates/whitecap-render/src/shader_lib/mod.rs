@@ -85,6 +85,12 @@ shaders! {
     SPECTRAL_LOST_VARIANCE = "spectral_lost_variance";
     /// Its phases and points on buffers of inputs.
     SPECTRAL_TWINS = "spectral_twins";
+    /// Our own ocean.
+    SPECTRAL_OCEAN = "spectral_ocean";
+    /// The same, shaded once for each sample instead of once for each pixel.
+    SPECTRAL_OCEAN_PER_SAMPLE = "spectral_ocean_per_sample";
+    /// Its vertex stage as a compute shader, for reading its results back.
+    SPECTRAL_OCEAN_VERTICES = "spectral_ocean_vertices";
     /// Every shared function on a buffer of inputs.
     TWINS = "twins";
     /// The sum of sines on a buffer of inputs.

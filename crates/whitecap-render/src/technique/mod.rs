@@ -9,6 +9,7 @@ pub mod meshuggah;
 pub mod ocean_water;
 pub mod projected_grid;
 pub mod rippling_lake;
+pub mod spectral_ocean;
 
 use crate::pass::Objects;
 use crate::surface::Backend;
@@ -111,6 +112,7 @@ pub fn build(build: &Build<'_>) -> Result<Box<dyn Technique>, RenderError> {
         Settings::ProjectedGrid(settings) => Box::new(projected_grid::ProjectedGrid::new(build, settings)?),
         Settings::Meshuggah(settings) => Box::new(meshuggah::Meshuggah::new(build, settings)?),
         Settings::FiveSample(settings) => Box::new(five_sample::FiveSample::new(build, settings)?),
+        Settings::SpectralOcean(settings) => Box::new(spectral_ocean::SpectralOcean::new(build, settings)?),
         other => return Err(RenderError::Unsupported { what: format!("the technique {}", other.word()) }),
     })
 }

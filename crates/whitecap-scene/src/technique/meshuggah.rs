@@ -1,8 +1,7 @@
 //! Settings of Carsten Wenzel's ocean from "Meshuggah" (2002).
 //!
 //! The text gives the tiling and the form of the equations but no colours; those here are chosen. The optics
-//! of the water default to the clearest sea, at 650, 550 and 450 nm: pure water absorbs (Pope & Fry 1997), pure
-//! sea water scatters (0.00758 (400 nm/λ)^4.32 per m), and extinction is the sum of the two.
+//! of the water default to the clearest sea.
 
 use crate::error::SceneError;
 use crate::key::{Colour, Count, OneOf, Real, optional, or, table, words};
@@ -10,6 +9,7 @@ use crate::reader::TableReader;
 use crate::registry::Registered;
 
 use super::Technique;
+use super::water_body::{self, CLEAREST_EXTINCTION_PER_M, CLEAREST_SCATTERING_PER_M, PER_METRE};
 
 /// What it follows.
 pub(super) const SOURCE: &str = "Carsten Wenzel, \"Ocean scene\", in Meshuggah, 2002";
@@ -67,10 +67,10 @@ table! {
         /// The water's colour at grazing angles, for `lerp`.
         grazing_color: [f64; 3] = or(COLOUR, [0.0, 0.25, 0.2]);
         /// How much light the water scatters per metre, for `nishita-nakamae`.
-        scattering_per_m: [f64; 3] = or(PER_METRE, [0.000_93, 0.001_91, 0.004_56]);
+        scattering_per_m: [f64; 3] = or(PER_METRE, CLEAREST_SCATTERING_PER_M);
         /// How much light the water scatters and absorbs per metre, for `nishita-nakamae`; not below the
         /// scattering.
-        extinction_per_m: [f64; 3] = or(PER_METRE, [0.341, 0.058_4, 0.013_8]);
+        extinction_per_m: [f64; 3] = or(PER_METRE, CLEAREST_EXTINCTION_PER_M);
         /// The depth of a black sea floor, for `nishita-nakamae`.
         bottom_depth_m: Option<f64> = optional(Real { unit: "m", min: 0.1, max: 11000.0 }, "bottomless");
         /// How far one sees through the air: where 2 % of the contrast is left. It softens the horizon.
@@ -81,21 +81,11 @@ table! {
 }
 
 const COLOUR: Colour = Colour { unit: "", min: 0.0, max: 1.0 };
-const PER_METRE: Colour = Colour { unit: "1/m", min: 1e-4, max: 10.0 };
 
 impl Meshuggah {
     fn read_checked(table: &TableReader<'_>) -> Result<Self, SceneError> {
         let settings = Self::read(table)?;
-        let mut channels = settings.scattering_per_m.iter().zip(&settings.extinction_per_m);
-        if channels.any(|(scattering, extinction)| scattering > extinction) {
-            return Err(table.error(
-                Some("extinction_per_m"),
-                format!(
-                    "less than scattering_per_m = {:?}; accepted: extinction is scattering plus absorption",
-                    settings.scattering_per_m
-                ),
-            ));
-        }
+        water_body::check(table, settings.scattering_per_m, settings.extinction_per_m)?;
         Ok(settings)
     }
 }

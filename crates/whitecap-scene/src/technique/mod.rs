@@ -5,12 +5,15 @@ mod meshuggah;
 mod ocean_water;
 mod projected_grid;
 mod rippling_lake;
+mod spectral_ocean;
+mod water_body;
 
 pub use five_sample::{FiveSample, Variant};
 pub use meshuggah::{FresnelForm, Meshuggah, WaterColor};
 pub use ocean_water::{Highlights, OceanWater, Tangent, shore_damping};
 pub use projected_grid::{Normals, OffsetAxes, Pairing, ProjectedGrid, RefractedColor};
 pub use rippling_lake::{RipplingLake, SwapUv};
+pub use spectral_ocean::SpectralOcean;
 
 use crate::error::SceneError;
 use crate::reader::TableReader;
@@ -32,6 +35,8 @@ pub enum Technique {
     Meshuggah(Meshuggah),
     /// Berglund's shader.
     FiveSample(FiveSample),
+    /// whitecap's own ocean.
+    SpectralOcean(SpectralOcean),
 }
 
 /// Every technique.
@@ -41,6 +46,7 @@ pub const ALL: &[Registered<Technique>] = &[
     projected_grid::REGISTERED,
     meshuggah::REGISTERED,
     five_sample::REGISTERED,
+    spectral_ocean::REGISTERED,
 ];
 
 /// The top-level key that names the technique.
@@ -61,6 +67,7 @@ impl Technique {
             Self::ProjectedGrid(_) => projected_grid::REGISTERED.word,
             Self::Meshuggah(_) => meshuggah::REGISTERED.word,
             Self::FiveSample(_) => five_sample::REGISTERED.word,
+            Self::SpectralOcean(_) => spectral_ocean::REGISTERED.word,
         }
     }
 
@@ -69,14 +76,17 @@ impl Technique {
         match self {
             Self::OceanWater(_) | Self::RipplingLake(_) => &["sines"],
             Self::ProjectedGrid(_) => &["perlin"],
-            Self::Meshuggah(_) => &["spectral"],
+            Self::Meshuggah(_) | Self::SpectralOcean(_) => &["spectral"],
             Self::FiveSample(_) => &["calm"],
         }
     }
 
     /// How many tiles of a spectral sea it draws.
     pub fn tiling(&self) -> Tiling {
-        Tiling { cascades: 1, resolution: 64 }
+        match self {
+            Self::SpectralOcean(_) => spectral_ocean::TILING,
+            _ => Tiling { cascades: 1, resolution: 64 },
+        }
     }
 
     /// The text that it follows: who, what, where, when.
@@ -87,6 +97,7 @@ impl Technique {
             Self::ProjectedGrid(_) => projected_grid::SOURCE,
             Self::Meshuggah(_) => meshuggah::SOURCE,
             Self::FiveSample(_) => five_sample::SOURCE,
+            Self::SpectralOcean(_) => spectral_ocean::SOURCE,
         }
     }
 
@@ -98,6 +109,7 @@ impl Technique {
             Self::ProjectedGrid(_) => projected_grid::DIFFERS,
             Self::Meshuggah(_) => meshuggah::DIFFERS,
             Self::FiveSample(_) => five_sample::DIFFERS,
+            Self::SpectralOcean(_) => spectral_ocean::DIFFERS,
         }
     }
 

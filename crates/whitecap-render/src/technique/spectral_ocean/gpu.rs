@@ -1,0 +1,146 @@
+//! The spectral ocean's pipeline, buffers and layouts.
+
+use super::super::Build;
+use crate::geometry::NestedGrid;
+use crate::gpu::resources::{PipelineRequest, bind_group, buffer, linear_sampler};
+use crate::shader_lib;
+use crate::surface::TileMaps;
+use crate::uniforms::{ViewSlots, sampler_entry, texture_entry};
+use std::ops::Range;
+
+/// Tiles that the shader reads.
+pub(super) const MAX_CASCADES: usize = 4;
+/// Levels of the mesh that the uniform has room for.
+pub(super) const MAX_LEVELS: usize = 12;
+
+/// Layout twin of `GpuCascade` in `surface.wesl`.
+#[repr(C)]
+#[derive(Clone, Copy, Default, bytemuck::Pod, bytemuck::Zeroable)]
+pub(super) struct GpuCascade {
+    pub(super) eye_in_tile: [f32; 2],
+    pub(super) tiles_per_m: f32,
+    pub(super) samples: f32,
+    pub(super) fade_start_m: f32,
+    pub(super) fade_end_m: f32,
+    pub(super) half_texel: f32,
+    pub(super) padding: u32,
+}
+
+/// Layout twin of `GpuSpectralOcean` in `surface.wesl`.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+pub(super) struct GpuSpectralOcean {
+    pub(super) level_origins: [[f32; 4]; MAX_LEVELS / 2],
+    pub(super) cascades: [GpuCascade; MAX_CASCADES],
+    pub(super) scattered_light: [f32; 3],
+    pub(super) sun_cos: f32,
+    pub(super) cell_m: f32,
+    pub(super) eye_height_m: f32,
+    pub(super) earth_radius_m: f32,
+    pub(super) visibility_m: f32,
+    pub(super) cascade_count: u32,
+    pub(super) padding: [u32; 3],
+}
+
+pub(super) struct Pipeline {
+    pipeline: wgpu::RenderPipeline,
+    group: wgpu::BindGroup,
+    vertices: wgpu::Buffer,
+    indices: wgpu::Buffer,
+}
+
+impl Pipeline {
+    pub(super) fn new(
+        build: &Build<'_>,
+        grid: &NestedGrid,
+        tiles: &[TileMaps],
+        slots: &ViewSlots<GpuSpectralOcean>,
+    ) -> Pipeline {
+        let (device, queue) = (build.device, build.queue);
+        let layout = group_layout(device);
+        let contents = |label, bytes, usage| buffer(device, queue, label, bytes, usage);
+        Pipeline {
+            pipeline: pipeline(build, &layout),
+            group: ocean_group(device, &layout, tiles, slots),
+            vertices: contents(
+                "nested grid",
+                bytemuck::cast_slice(&grid.vertices),
+                wgpu::BufferUsages::VERTEX,
+            ),
+            indices: contents("nested grid", bytemuck::cast_slice(&grid.indices), wgpu::BufferUsages::INDEX),
+        }
+    }
+
+    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view_offset: u32, parts: &[Range<u32>]) {
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(2, &self.group, &[view_offset]);
+        pass.set_vertex_buffer(0, self.vertices.slice(..));
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+        for part in parts {
+            pass.draw_indexed(part.clone(), 0, 0..1);
+        }
+    }
+}
+
+/// Bind group 2, as `surface.wesl` and `spectral_ocean.wesl` declare it.
+pub(super) fn group_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
+    use wgpu::ShaderStages as S;
+    let d2 = wgpu::TextureViewDimension::D2;
+    let displacement = |binding| texture_entry(binding, S::VERTEX | S::COMPUTE, d2, false);
+    let normals = |binding| texture_entry(binding, S::FRAGMENT, d2, true);
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some("spectral ocean"),
+        entries: &[
+            ViewSlots::<GpuSpectralOcean>::layout_entry(0, S::VERTEX_FRAGMENT | S::COMPUTE),
+            displacement(1),
+            displacement(2),
+            displacement(3),
+            displacement(4),
+            normals(5),
+            normals(6),
+            normals(7),
+            normals(8),
+            sampler_entry(9, S::FRAGMENT),
+        ],
+    })
+}
+
+pub(super) fn ocean_group(
+    device: &wgpu::Device,
+    layout: &wgpu::BindGroupLayout,
+    tiles: &[TileMaps],
+    slots: &ViewSlots<GpuSpectralOcean>,
+) -> wgpu::BindGroup {
+    // A place that no tile fills holds the last one's map, which is not read there.
+    let views = |map: fn(&TileMaps) -> &wgpu::Texture| -> Vec<wgpu::TextureView> {
+        let maps = (0..MAX_CASCADES).filter_map(|i| tiles.get(i).or(tiles.last()));
+        maps.map(|tile| map(tile).create_view(&Default::default())).collect()
+    };
+    let (displacements, normals) =
+        (views(|maps| &maps.textures.displacement), views(|maps| &maps.textures.normals));
+    let repeating = linear_sampler(device, "spectral ocean", wgpu::AddressMode::Repeat);
+    use wgpu::BindingResource::{Sampler, TextureView};
+    let textures = displacements.iter().chain(&normals).map(TextureView);
+    let resources = std::iter::once(slots.binding()).chain(textures).chain([Sampler(&repeating)]);
+    bind_group(device, "spectral ocean", layout, resources)
+}
+
+fn pipeline(build: &Build<'_>, group: &wgpu::BindGroupLayout) -> wgpu::RenderPipeline {
+    let (device, shared) = (build.device, build.shared);
+    let per_sample = shared.target.sample_shading && shared.target.sample_count > 1;
+    let shader = if per_sample { shader_lib::SPECTRAL_OCEAN_PER_SAMPLE } else { shader_lib::SPECTRAL_OCEAN };
+    let request = PipelineRequest {
+        label: "spectral ocean",
+        shader: &shader,
+        groups: &[Some(&shared.view_layout), Some(&shared.environment_layout), Some(group)],
+        vertices: &[Some(wgpu::VertexBufferLayout {
+            array_stride: 12,
+            step_mode: wgpu::VertexStepMode::Vertex,
+            attributes: &wgpu::vertex_attr_array![0 => Float32x3],
+        })],
+        color: shared.target.color,
+        depth: Some(shared.target.depth_state(true)),
+        multisample: shared.target.multisample(),
+    };
+    request.create(device)
+}

@@ -1,0 +1,177 @@
+//! Our own ocean: a calibrated sea of several tiles, to the horizon.
+//!
+//! Each tile of a [`SpectralSea`](whitecap_waves::model::spectral::SpectralSea) is a set of [`TileMaps`]. Vertices of
+//! nested rings ([`NestedGrid`]) move by the sum of the tiles' displacements; pixels see the sum of their slopes, and
+//! what neither resolves widens the reflection and raises the cosine that the Fresnel term sees. Under the surface
+//! light scatters once.
+//!
+//! docs/spectral-ocean.md tells the passes and the limits.
+
+mod gpu;
+mod visible;
+
+use super::{Build, Frame, Technique, wrong_sea};
+use crate::RenderError;
+use crate::geometry::NestedGrid;
+use crate::surface::TileMaps;
+use crate::uniforms::ViewSlots;
+use crate::view::View;
+use glam::{DVec2, Vec3};
+use gpu::{GpuCascade, GpuSpectralOcean, MAX_CASCADES, MAX_LEVELS, Pipeline};
+use visible::Wedge;
+use whitecap_scene::technique as settings;
+use whitecap_waves::optics::WATER_REFRACTIVE_INDEX;
+
+/// The apron reaches this far, metres: beyond the horizon of a viewer at 100 km.
+const REACH_M: f64 = 2.0e6;
+
+/// The finest cell that is ever drawn, metres.
+const FINEST_CELL_M: f64 = 0.0625;
+
+/// Waves of a tile leave the mesh from where its cells are half as long as the shortest of them to where they are three
+/// times as long. Slopes do not leave: they are the pixel stage's.
+const FADE_START_WAVES: f64 = 0.5;
+const FADE_END_WAVES: f64 = 3.0;
+
+/// The shortest wave of a tile, in its samples.
+const SAMPLES_PER_WAVE: f64 = 4.0;
+
+/// Of the last level's half width: there the last waves have left the mesh.
+const FADE_LIMIT: f64 = 0.9;
+
+pub(super) struct SpectralOcean {
+    settings: settings::SpectralOcean,
+    tiles: Vec<TileMaps>,
+    grid: NestedGrid,
+    levels: u32,
+    /// What the water is moved sideways by at most, nearly always, metres.
+    sway_m: f64,
+    scattered_light: Vec3,
+    sun_cos: f32,
+    slots: ViewSlots<GpuSpectralOcean>,
+    pipeline: Pipeline,
+    /// The parts of the mesh that each view sees.
+    seen: Vec<Vec<std::ops::Range<u32>>>,
+}
+
+impl SpectralOcean {
+    pub(super) fn new(
+        build: &Build<'_>,
+        settings: &settings::SpectralOcean,
+    ) -> Result<SpectralOcean, RenderError> {
+        let sea = build.scene.sea.build(build.scene.seed)?;
+        let significant_height_m = whitecap_waves::statistics::significant_height_m(sea.variance_m2());
+        // The scene's reader lets no other sea through, and no more tiles.
+        let models = sea.into_tiles().filter(|tiles| (1..=MAX_CASCADES).contains(&tiles.len()));
+        let Some(models) = models else { return Err(wrong_sea(build)) };
+        let tiles = models
+            .into_iter()
+            .map(|model| TileMaps::new(build.device, build.queue, build.backend, model, 1))
+            .collect::<Result<Vec<_>, _>>()?;
+
+        // Where a processor draws, triangles are dear.
+        let (cells, levels) = if build.is_software() { (128, 10) } else { (256, 10) };
+        let last_cell_m = FINEST_CELL_M * f64::from(levels - 1).exp2();
+        let grid = NestedGrid::new(cells, levels, (REACH_M / last_cell_m) as f32);
+        let slots = ViewSlots::new(build.device, "spectral ocean");
+        let pipeline = Pipeline::new(build, &grid, &tiles, &slots);
+        Ok(SpectralOcean {
+            settings: settings.clone(),
+            scattered_light: scattered_light(settings, build.irradiance),
+            sun_cos: build.toward_sun.y.max(0.0),
+            sway_m: significant_height_m,
+            tiles,
+            grid,
+            levels,
+            slots,
+            pipeline,
+            seen: Vec::new(),
+        })
+    }
+
+    /// The first level's cell for an eye so high: the finest lattice that its distance still asks for. Powers of two
+    /// share their vertices, and the waves that a coarser one cannot carry have left the mesh at that distance.
+    fn cell_m(&self, eye_height_m: f64) -> f64 {
+        let wanted = self.cell_per_m() * eye_height_m.abs();
+        wanted.max(FINEST_CELL_M).log2().floor().exp2()
+    }
+
+    /// No cell is wider than this share of its distance from the eye.
+    fn cell_per_m(&self) -> f64 {
+        2.0 / f64::from(self.grid.half_cells())
+    }
+
+    fn uniforms(&self, view: &View) -> GpuSpectralOcean {
+        let eye = DVec2::new(view.eye_m.x, view.eye_m.z);
+        let cell_m = self.cell_m(view.eye_m.y);
+        let mut level_origins = [[0.0; 4]; MAX_LEVELS / 2];
+        for level in 0..self.levels as usize {
+            // Each level moves in whole cells of its own, so that its vertices stay on its lattice.
+            let cell_m = cell_m * (level as f64).exp2();
+            let origin = (eye / cell_m).round() * cell_m - eye;
+            let at = 2 * (level % 2);
+            level_origins[level / 2][at..at + 2].copy_from_slice(&origin.as_vec2().to_array());
+        }
+        let half_width_m = cell_m * f64::from(self.grid.half_cells()) * f64::from(self.levels - 1).exp2();
+        let mut cascades = [GpuCascade::default(); MAX_CASCADES];
+        for (cascade, maps) in cascades.iter_mut().zip(&self.tiles) {
+            let shortest_m = SAMPLES_PER_WAVE * maps.tile_size_m() / maps.resolution() as f64;
+            let fade_end_m = (FADE_END_WAVES * shortest_m / self.cell_per_m()).min(FADE_LIMIT * half_width_m);
+            let fade_start_m = (FADE_START_WAVES * shortest_m / self.cell_per_m()).min(0.5 * fade_end_m);
+            *cascade = GpuCascade {
+                eye_in_tile: (eye / maps.tile_size_m()).fract_gl().as_vec2().to_array(),
+                tiles_per_m: (1.0 / maps.tile_size_m()) as f32,
+                samples: maps.mesh_samples() as f32,
+                fade_start_m: fade_start_m as f32,
+                fade_end_m: fade_end_m as f32,
+                half_texel: (0.5 / maps.resolution() as f64) as f32,
+                padding: 0,
+            };
+        }
+        GpuSpectralOcean {
+            level_origins,
+            cascades,
+            scattered_light: self.scattered_light.to_array(),
+            sun_cos: self.sun_cos,
+            cell_m: cell_m as f32,
+            eye_height_m: view.eye_m.y as f32,
+            earth_radius_m: (self.settings.curvature_radius_km * 1000.0) as f32,
+            visibility_m: (self.settings.visibility_km * 1000.0) as f32,
+            cascade_count: self.tiles.len() as u32,
+            padding: [0; 3],
+        }
+    }
+}
+
+/// β E/c: light of irradiance E on the level sea that water, scattering alike in all directions, sends up again from
+/// one extinction length. Radiance thins by n² on its way into air.
+fn scattered_light(settings: &settings::SpectralOcean, irradiance: Vec3) -> Vec3 {
+    let share = 1.0 / (4.0 * std::f64::consts::PI * WATER_REFRACTIVE_INDEX * WATER_REFRACTIVE_INDEX);
+    let channel = |i: usize| share * settings.scattering_per_m[i] / settings.extinction_per_m[i];
+    irradiance * Vec3::from_array([0, 1, 2].map(|i| channel(i) as f32))
+}
+
+impl Technique for SpectralOcean {
+    fn prepare(&mut self, frame: &mut Frame<'_>) -> Result<(), RenderError> {
+        for maps in &mut self.tiles {
+            maps.update(frame.queue, frame.encoder, frame.time_s);
+        }
+        frame.end_of_pass("sea");
+        self.seen.clear();
+        for (i, view) in frame.views.iter().enumerate() {
+            let uniforms = self.uniforms(view);
+            self.slots.write(frame.queue, i, &uniforms);
+            let wedge = Wedge::of(view.clip_from_eye_world());
+            self.seen.push(wedge.visible(&self.grid, f64::from(uniforms.cell_m), self.sway_m));
+        }
+        Ok(())
+    }
+
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
+        let Some(seen) = self.seen.get(view) else { return };
+        self.pipeline.draw(pass, ViewSlots::<GpuSpectralOcean>::offset(view), seen);
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,305 @@
+use super::gpu::{group_layout, ocean_group};
+use super::*;
+use crate::environment::Environment;
+use crate::gpu::for_tests::gpu;
+use crate::gpu::resources::{bind_group, buffer};
+use crate::pass::Objects;
+use crate::shader_lib::{self, layout::assert_layout};
+use crate::uniforms::Shared;
+use crate::{TargetFormat, gpu::read_buffer};
+use glam::{DVec3, Vec2};
+use whitecap_scene::Scene;
+use whitecap_waves::model::TileFields;
+use whitecap_waves::optics::{WaterBody, water_color_single_scatter};
+
+#[test]
+fn rust_and_wgsl_agree_about_layout() {
+    let wgsl = shader_lib::SPECTRAL_OCEAN.wgsl;
+    assert_layout!(
+        GpuSpectralOcean,
+        wgsl,
+        "GpuSpectralOcean",
+        [
+            level_origins,
+            cascades,
+            scattered_light,
+            sun_cos,
+            cell_m,
+            eye_height_m,
+            earth_radius_m,
+            visibility_m,
+            cascade_count,
+        ]
+    );
+    assert_layout!(
+        GpuCascade,
+        wgsl,
+        "GpuCascade",
+        [eye_in_tile, tiles_per_m, samples, fade_start_m, fade_end_m, half_texel]
+    );
+}
+
+fn scene() -> Scene {
+    whitecap_scene::open("spectral-ocean").unwrap()
+}
+
+fn with_technique(scene: &Scene, test: impl FnOnce(&wgpu::Device, &wgpu::Queue, SpectralOcean)) {
+    let Some(gpu) = gpu() else { return };
+    let (device, queue) = (&gpu.device, &gpu.queue);
+    let environment = Environment::new(scene).unwrap();
+    let shared = Shared::new(device, queue, &environment, TargetFormat::default());
+    let objects = Objects::new(device, queue, scene).unwrap();
+    let whitecap_scene::Technique::SpectralOcean(settings) = &scene.technique else { panic!() };
+    let build = Build {
+        device,
+        queue,
+        scene,
+        shared: &shared,
+        objects: &objects,
+        backend: None,
+        irradiance: Vec3::ONE,
+        daylight: 1.0,
+        toward_sun: Vec3::new(0.954, 0.3, 0.0),
+    };
+    test(device, queue, SpectralOcean::new(&build, settings).unwrap());
+}
+
+fn bring_to(device: &wgpu::Device, queue: &wgpu::Queue, technique: &mut SpectralOcean, time_s: f64) {
+    let mut encoder = device.create_command_encoder(&Default::default());
+    for maps in &mut technique.tiles {
+        maps.update(queue, &mut encoder, time_s);
+    }
+    queue.submit([encoder.finish()]);
+}
+
+fn view_from(eye_m: DVec3) -> View {
+    let camera = whitecap_scene::Camera {
+        position_m: eye_m.to_array(),
+        look_at_m: (eye_m + DVec3::new(10.0, -1.0, 3.0)).to_array(),
+        vertical_fov_deg: 45.0,
+    };
+    View::of_camera(&camera, [320, 180])
+}
+
+/// The vertex stage's own function on the device: positions from the eye.
+fn read_vertices(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    technique: &SpectralOcean,
+    view: &View,
+    grid: &[[f32; 4]],
+) -> Vec<[f32; 4]> {
+    let layout = group_layout(device);
+    let group = ocean_group(device, &layout, &technique.tiles, &technique.slots);
+    technique.slots.write(queue, 3, &technique.uniforms(view));
+    let entry = |binding, read_only| wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::COMPUTE,
+        ty: wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Storage { read_only },
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        },
+        count: None,
+    };
+    let io_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: None,
+        entries: &[entry(0, true), entry(1, false)],
+    });
+    let storage = wgpu::BufferUsages::STORAGE;
+    let input = buffer(device, queue, "grid", bytemuck::cast_slice(grid), storage);
+    let output =
+        buffer(device, queue, "out", bytemuck::cast_slice(grid), storage | wgpu::BufferUsages::COPY_SRC);
+    let io = bind_group(device, "io", &io_layout, [input.as_entire_binding(), output.as_entire_binding()]);
+    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: None,
+        layout: Some(&device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: None,
+            bind_group_layouts: &[None, None, Some(&layout), Some(&io_layout)],
+            immediate_size: 0,
+        })),
+        module: &shader_lib::SPECTRAL_OCEAN_VERTICES.module(device),
+        entry_point: Some("cs_displace"),
+        compilation_options: Default::default(),
+        cache: None,
+    });
+    let mut encoder = device.create_command_encoder(&Default::default());
+    {
+        let mut pass = encoder.begin_compute_pass(&Default::default());
+        pass.set_pipeline(&pipeline);
+        pass.set_bind_group(2, &group, &[ViewSlots::<GpuSpectralOcean>::offset(3)]);
+        pass.set_bind_group(3, &io, &[]);
+        pass.dispatch_workgroups((grid.len() as u32).div_ceil(64), 1, 1);
+    }
+    queue.submit([encoder.finish()]);
+    bytemuck::pod_collect_to_vec(&read_buffer(device, queue, &output).unwrap())
+}
+
+/// Catmull and Rom's spline through a tile's samples: the twin of `interpolated` in `surface.wesl`.
+fn interpolated(fields: &TileFields, place: DVec2) -> DVec3 {
+    let n = fields.resolution() as i64;
+    let corner = place.floor();
+    let weights = |t: f64| {
+        let (t2, t3) = (t * t, t * t * t);
+        [2.0 * t2 - t - t3, 2.0 - 5.0 * t2 + 3.0 * t3, t + 4.0 * t2 - 3.0 * t3, t3 - t2].map(|w| 0.5 * w)
+    };
+    let (wx, wz) = (weights(place.x - corner.x), weights(place.y - corner.y));
+    let mut sum = DVec3::ZERO;
+    for (j, wz) in wz.iter().enumerate() {
+        for (i, wx) in wx.iter().enumerate() {
+            let at = |corner: f64, step: usize| (corner as i64 - 1 + step as i64).rem_euclid(n) as usize;
+            let sample = fields.displacement(at(corner.y, j) * n as usize + at(corner.x, i));
+            sum += wx * wz * DVec3::from(sample.map(f64::from));
+        }
+    }
+    sum
+}
+
+/// Places round the eye on all levels, and the places in the world where they rest.
+fn some_vertices(technique: &SpectralOcean, view: &View) -> (Vec<[f32; 4]>, Vec<DVec2>) {
+    let eye = DVec2::new(view.eye_m.x, view.eye_m.z);
+    let first_m = technique.cell_m(view.eye_m.y);
+    let mut vertices = Vec::new();
+    let mut rests = Vec::new();
+    for i in 0..700_i32 {
+        let (x, z, level) = (i * 37 % 127 - 63, i * 53 % 121 - 60, i % technique.levels as i32);
+        let cell_m = first_m * f64::from(level).exp2();
+        vertices.push([x as f32, z as f32, level as f32, 0.0]);
+        rests.push((eye / cell_m).round() * cell_m + DVec2::new(x.into(), z.into()) * cell_m);
+    }
+    (vertices, rests)
+}
+
+const EYES: [(DVec3, f64); 4] = [
+    (DVec3::new(0.0, 4.0, 0.0), 0.0),
+    (DVec3::new(-31.7, 1.0, 811.2), 3.7),
+    (DVec3::new(1_000_123.4, 8.0, -2_000_456.7), -512.25),
+    (DVec3::new(-12.5, 400.0, 777.7), 1e6),
+];
+
+/// Here and a thousand kilometres away, on every level, while waves fade: the device's sum is the one in f64.
+#[test]
+fn drawn_vertices_are_the_sum_of_the_tiles() {
+    with_technique(&scene(), |device, queue, mut technique| {
+        let hs_m = technique.sway_m;
+        for (eye_m, time_s) in EYES {
+            let view = view_from(eye_m);
+            let mut fields = Vec::new();
+            let whole = scene().sea.build(scene().seed).unwrap().into_tiles().unwrap();
+            for mut model in whole {
+                let mut tile = TileFields::new(model.resolution());
+                model.evaluate(time_s, &mut tile);
+                fields.push((model.tile_size_m(), tile));
+            }
+            bring_to(device, queue, &mut technique, time_s);
+            let uniforms = technique.uniforms(&view);
+            let (grid, rests) = some_vertices(&technique, &view);
+            let drawn = read_vertices(device, queue, &technique, &view, &grid);
+            for (rest_m, drawn) in rests.iter().zip(&drawn) {
+                let from_eye = DVec3::new(rest_m.x, 0.0, rest_m.y) - eye_m;
+                let mut expected = from_eye;
+                for ((tile_m, tile), cascade) in fields.iter().zip(&uniforms.cascades) {
+                    let [from, to] = [cascade.fade_start_m, cascade.fade_end_m].map(f64::from);
+                    let t = ((from_eye.length() - from) / (to - from)).clamp(0.0, 1.0);
+                    let share = 1.0 - t * t * (3.0 - 2.0 * t);
+                    let place = (rest_m / tile_m).fract_gl() * tile.resolution() as f64;
+                    expected += share * interpolated(tile, place);
+                }
+                let level = DVec2::new(from_eye.x, from_eye.z).length();
+                expected.y -= whitecap_waves::optics::curvature_drop_m(level, 6_371_000.0);
+                let drawn = DVec3::new(drawn[0].into(), drawn[1].into(), drawn[2].into());
+                // f32 from the eye, and in tiles: some millionths of the distance.
+                let rounding = 2e-6 * from_eye.length();
+                let error = (drawn - expected).abs().max_element();
+                assert!(error < 2e-4 * hs_m + rounding, "{eye_m} at {rest_m}: {drawn} instead of {expected}");
+            }
+        }
+    });
+}
+
+/// Near the viewer what is drawn is what the sea says, as well as a spline through four samples of the shortest waves can
+/// say it: to half a per cent of the significant height, root mean square. A linear mean is three times as far off.
+#[test]
+fn near_the_viewer_the_drawn_sea_is_the_sea() {
+    let sea = scene().sea.build(scene().seed).unwrap();
+    with_technique(&scene(), |device, queue, mut technique| {
+        let time_s = 3.7;
+        bring_to(device, queue, &mut technique, time_s);
+        let grid = [[0.0_f32; 4], [-12.0, 7.0, 0.0, 0.0], [9.0, 11.0, 0.0, 0.0], [3.0, -12.0, 0.0, 0.0]];
+        let (mut sum, mut worst, mut count) = (0.0, 0.0_f64, 0.0);
+        for i in 0..24 {
+            let eye_m = DVec3::new(-31.7 + 373.1 * f64::from(i), 1.0, 811.2 - 1_917.3 * f64::from(i * i));
+            let view = view_from(eye_m);
+            let cell_m = technique.cell_m(eye_m.y);
+            let drawn = read_vertices(device, queue, &technique, &view, &grid);
+            for ([x, z, ..], drawn) in grid.iter().zip(&drawn) {
+                let cells = (DVec2::new(eye_m.x, eye_m.z) / cell_m).round();
+                let rest_m = (cells + DVec2::new(f64::from(*x), f64::from(*z))) * cell_m;
+                let from_eye = DVec3::new(rest_m.x, 0.0, rest_m.y) - eye_m;
+                assert!(from_eye.length() < technique.uniforms(&view).cascades[3].fade_start_m.into());
+                let drawn = DVec3::new(drawn[0].into(), drawn[1].into(), drawn[2].into()) - from_eye;
+                let error = (drawn - sea.sample(rest_m, time_s).displacement_m).length() / technique.sway_m;
+                (sum, worst, count) = (sum + error * error, worst.max(error), count + 1.0);
+            }
+        }
+        let rms = (sum / count).sqrt();
+        assert!(rms < 0.005 && worst < 0.012, "rms {rms}, worst {worst}");
+    });
+}
+
+/// Waves may leave the mesh, but only in the order of their lengths, and all before it turns coarse.
+#[test]
+fn waves_have_left_the_mesh_before_it_turns_coarse() {
+    with_technique(&scene(), |_, _, technique| {
+        for eye_height_m in [0.0, 1.0, 30.0, 9_000.0, -5.0] {
+            let uniforms = technique.uniforms(&view_from(DVec3::new(3.0, eye_height_m, 4.0)));
+            let half_width_m = f64::from(uniforms.cell_m)
+                * f64::from(technique.levels - 1).exp2()
+                * f64::from(technique.grid.half_cells());
+            let mut longer_m = f64::INFINITY;
+            for cascade in &uniforms.cascades[..technique.tiles.len()] {
+                assert!(cascade.fade_start_m < cascade.fade_end_m);
+                assert!(f64::from(cascade.fade_end_m) <= longer_m.min(0.95 * half_width_m));
+                longer_m = f64::from(cascade.fade_end_m);
+            }
+        }
+    });
+}
+
+/// Texel (i, j) of a normal map is drawn where sample (i, j) of the tile lies, anywhere in the world.
+#[test]
+fn the_maps_lie_where_the_samples_lie() {
+    with_technique(&scene(), |_, _, technique| {
+        for eye in [DVec3::new(0.0, 3.0, 0.0), DVec3::new(77.7, 3.0, -1.3), DVec3::new(-1e6, 3.0, 2e6)] {
+            let uniforms = technique.uniforms(&view_from(eye));
+            for (cascade, maps) in uniforms.cascades.iter().zip(&technique.tiles) {
+                let sample = DVec2::new(eye.x, eye.z) / maps.tile_size_m() * maps.resolution() as f64;
+                let n = maps.resolution() as f32;
+                let texel = (Vec2::from(cascade.eye_in_tile) + cascade.half_texel) * n - 0.5;
+                let off = (texel.as_dvec2() - sample) / f64::from(n);
+                assert!((off - off.round()).abs().max_element() * f64::from(n) < 1e-2, "{off}");
+            }
+        }
+    });
+}
+
+/// The shader divides by the two cosines; with them it is the text's integral.
+#[test]
+fn scattered_light_is_single_scattering() {
+    let settings = whitecap_scene::technique::SpectralOcean::default();
+    let (sun_cos, view_cos, n2) = (0.4_f64, 0.7_f64, WATER_REFRACTIVE_INDEX * WATER_REFRACTIVE_INDEX);
+    let refracted = |c: f64| (1.0 - (1.0 - c * c) / n2).sqrt();
+    // A level irradiance of 1 falls on a plane across the ray as 1/μs.
+    let body = WaterBody {
+        scattering_per_m: settings.scattering_per_m.map(|b| b / (4.0 * std::f64::consts::PI * n2)),
+        extinction_per_m: settings.extinction_per_m,
+        depth_m: f64::INFINITY,
+        sun_irradiance: [1.0 / refracted(sun_cos); 3],
+        sun_cos,
+    };
+    let expected = water_color_single_scatter(view_cos, &body);
+    let light = scattered_light(&settings, Vec3::ONE) / (refracted(sun_cos) + refracted(view_cos)) as f32;
+    for (seen, expected) in light.to_array().into_iter().zip(expected) {
+        assert!((f64::from(seen) / expected - 1.0).abs() < 1e-5, "{seen} instead of {expected}");
+    }
+}
