@@ -48,7 +48,9 @@ scenes! {
     "five-sample-09-broken-sun": "Berglund's stage 09: an example of breakage on the last night",
     "five-sample-island": "Berglund's sea with what he left for later: a clear shallow, reflections, a beach",
     "spectral-ocean": "Our ocean: a fresh trade wind and a swell, from 5 m",
-    "spectral-ocean-storm": "Our ocean in a storm, from a ship's deck",
+    "spectral-ocean-storm": "Our ocean in a gale, from a ship's deck",
+    "spectral-ocean-swell": "Our ocean with a long swell towards evening",
+    "spectral-ocean-shallow": "Our ocean over a shelf 8 m deep, waves against the tide",
 }
 
 /// The named scene of this name.

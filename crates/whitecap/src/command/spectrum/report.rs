@@ -124,8 +124,8 @@ impl<'a> Report<'a> {
         {
             let _ = writeln!(
                 text,
-                "tile of {tile_size_m} m, {resolution} samples a side: waves from {shortest_wavelength_m:.2} to \
-                 {longest_wavelength_m:.0} m, m0 {m0_m2:.4} m²"
+                "tile of {tile_size_m:.1} m, {resolution} samples a side: waves from {shortest_wavelength_m:.2} to \
+                 {longest_wavelength_m:.2} m, m0 {m0_m2:.3e} m²"
             );
         }
         if let Some(total) = self.mean_square_slope.total.filter(|&total| total > 0.0) {
