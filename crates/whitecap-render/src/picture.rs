@@ -2,8 +2,9 @@
 
 use crate::environment::Environment;
 use crate::gpu::{checked, read_texture};
+use crate::surface::Backend;
 use crate::timing::PassTimer;
-use crate::{Gpu, PassTime, RenderError, TargetFormat, View, Water};
+use crate::{Gpu, PassTime, RenderError, TargetFormat, View, Water, WaterOptions};
 use whitecap_scene::Scene;
 
 /// What to render.
@@ -15,6 +16,8 @@ pub struct PictureRequest {
     pub height: u32,
     /// Simulation time, seconds.
     pub time_s: f64,
+    /// Who works a spectral sea out; `None` leaves it to [`Backend::auto`].
+    pub backend: Option<Backend>,
 }
 
 /// A picture of 8-bit display values (sRGB), rows from the top, RGBA.
@@ -97,7 +100,8 @@ fn draw(
     let environment = Environment::new(scene)?;
     progress(Stage::Setup);
     let target = STILL;
-    let mut water = Water::with_environment(device, queue, scene, &environment, target)?;
+    let options = WaterOptions { backend: request.backend };
+    let mut water = Water::with_options(device, queue, scene, &environment, target, &options)?;
     drop(environment);
     let attachments =
         checked(device, "a picture of this size", || Ok(Attachments::new(device, request, &target)))?;
@@ -141,7 +145,8 @@ pub fn time_passes(
     let (device, queue) = (&gpu.device, &gpu.queue);
     check_size(device, request)?;
     let target = TargetFormat::default();
-    let mut water = Water::new(device, queue, scene, target)?;
+    let options = WaterOptions { backend: request.backend };
+    let mut water = Water::with_options(device, queue, scene, &Environment::new(scene)?, target, &options)?;
     let attachments =
         checked(device, "a picture of this size", || Ok(Attachments::new(device, request, &target)))?;
     let view = View::of_camera(&scene.camera, [request.width, request.height]);

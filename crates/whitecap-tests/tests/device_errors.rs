@@ -7,7 +7,7 @@ use whitecap_render::{Gpu, RenderError};
 use whitecap_tests::adapter::gpu;
 
 fn request(width: u32, height: u32) -> PictureRequest {
-    PictureRequest { width, height, time_s: 0.0 }
+    PictureRequest { backend: None, width, height, time_s: 0.0 }
 }
 
 #[test]

@@ -251,7 +251,7 @@ fn the_far_sea_is_calm() {
         scene.camera.look_at_m = [300.0, eye_height_m - 4.0, 0.0];
         let word = scene.technique.word();
         let picture = |time_s| {
-            let request = PictureRequest { width: 320, height: 180, time_s };
+            let request = PictureRequest { backend: None, width: 320, height: 180, time_s };
             render_picture(gpu, &scene, &request, &mut |_| {}).unwrap().rgba8
         };
         let (now, then) = (picture(10.0), picture(10.0 + 1.0 / 30.0));
@@ -321,7 +321,7 @@ fn the_glitter_lies_under_the_sun() {
         let whitecap_scene::Sky::Atmosphere(sky) = &mut scene.sky else { panic!() };
         sky.sun_azimuth_deg = sun_azimuth_deg;
         sky.cloud_cover = 0.0;
-        let request = PictureRequest { width: 160, height: 90, time_s: 5.0 };
+        let request = PictureRequest { backend: None, width: 160, height: 90, time_s: 5.0 };
         let picture = render_picture(gpu, &scene, &request, &mut |_| {}).unwrap().rgba8;
         let mut weighted = 0.0;
         let mut total = 0.0;
@@ -348,7 +348,7 @@ fn no_setting_is_without_effect() {
     let base = whitecap_scene::named::find("meshuggah").unwrap().toml;
     let render = |toml: &str| {
         let scene = Scene::from_toml(toml, "test.toml").unwrap_or_else(|e| panic!("{e}"));
-        let request = PictureRequest { width: 96, height: 54, time_s: 1.0 };
+        let request = PictureRequest { backend: None, width: 96, height: 54, time_s: 1.0 };
         render_picture(gpu, &scene, &request, &mut |_| {}).unwrap().rgba8
     };
     let before = render(base);
@@ -401,7 +401,7 @@ fn no_setting_of_the_ocean_is_without_effect() {
     let base = whitecap_scene::named::find("spectral-ocean").unwrap().toml;
     let render = |toml: &str| {
         let scene = Scene::from_toml(toml, "test.toml").unwrap_or_else(|e| panic!("{e}"));
-        let request = PictureRequest { width: 96, height: 54, time_s: 1.0 };
+        let request = PictureRequest { backend: None, width: 96, height: 54, time_s: 1.0 };
         render_picture(gpu, &scene, &request, &mut |_| {}).unwrap().rgba8
     };
     let before = render(base);

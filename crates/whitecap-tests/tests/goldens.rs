@@ -26,7 +26,7 @@ fn every_named_scene_looks_as_it_did() {
     for named in named::ALL {
         let scene = whitecap_scene::open(named.name).unwrap();
         for time_s in TIMES_S {
-            let request = PictureRequest { width, height, time_s };
+            let request = PictureRequest { backend: None, width, height, time_s };
             let picture = render_picture(gpu, &scene, &request, &mut |_| {}).unwrap();
             let checked = goldens.check(&name(named.name, time_s), &picture);
             mismatches.extend(checked.err().map(|mismatch| mismatch.to_string()));

@@ -40,7 +40,7 @@ fn with_sky(scene: &mut Scene, exposure_ev: f64, radiance: impl Fn(DVec3) -> f32
 }
 
 fn render(gpu: &Gpu, scene: &Scene) -> Vec<[u8; 4]> {
-    let request = PictureRequest { width: SIZE[0], height: SIZE[1], time_s: 0.0 };
+    let request = PictureRequest { backend: None, width: SIZE[0], height: SIZE[1], time_s: 0.0 };
     let picture = render_picture(gpu, scene, &request, &mut |_| {}).unwrap();
     picture.rgba8.chunks(4).map(|p| [p[0], p[1], p[2], p[3]]).collect()
 }

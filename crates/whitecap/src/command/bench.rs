@@ -1,6 +1,6 @@
 //! `whitecap bench`: what a frame costs, pass by pass.
 
-use super::options::{Size, parse_size};
+use super::options::{Size, WantedBackend, backend_parser, parse_size};
 use crate::failure::Failure;
 use crate::stages::Stages;
 use crate::stdout;
@@ -8,6 +8,7 @@ use clap::ValueHint;
 use std::fmt::Write;
 use std::process::ExitCode;
 use whitecap_render::picture::{PictureRequest, time_passes};
+use whitecap_render::surface::Backend;
 use whitecap_render::{AdapterDescription, Gpu, PassTime, RenderError};
 use whitecap_scene::{Scene, named, technique};
 
@@ -41,6 +42,10 @@ pub(crate) struct Bench {
     #[arg(long, value_name = "NAME", value_hint = ValueHint::Other)]
     adapter: Option<String>,
 
+    /// Who works out a sea of spectra: the processor, or compute passes of the adapter
+    #[arg(long, value_name = "WHO", default_value = "auto", value_parser = backend_parser())]
+    backend: WantedBackend,
+
     /// Print a JSON list with scene, technique, width, height, runs, adapter, passes and sum_ms
     #[arg(long)]
     pub(crate) json: bool,
@@ -58,7 +63,7 @@ impl Bench {
         for (place, (name, scene)) in scenes.iter().enumerate() {
             let about = format!("{name} ({} of {})", place + 1, scenes.len());
             stages.begin_about("frames", &about);
-            let (passes, sum_ms) = timed(&gpu, scene, self.size, self.runs.into())?;
+            let (passes, sum_ms) = timed(&gpu, scene, self.size, self.backend.0, self.runs.into())?;
             frames.push(FrameTime {
                 scene: name,
                 technique: scene.technique.word(),
@@ -124,9 +129,10 @@ pub(super) fn timed(
     gpu: &Gpu,
     scene: &Scene,
     size: Size,
+    backend: Option<Backend>,
     runs: usize,
 ) -> Result<(Vec<PassTime>, f64), RenderError> {
-    let request = PictureRequest { width: size.width, height: size.height, time_s: 0.0 };
+    let request = PictureRequest { backend, width: size.width, height: size.height, time_s: 0.0 };
     let mut passes = time_passes(gpu, scene, &request, runs)?;
     let to_microseconds = |ms: f64| (ms * 1e3).round() / 1e3;
     passes.iter_mut().for_each(|pass| pass.ms = to_microseconds(pass.ms));

@@ -1,5 +1,8 @@
 //! Arguments that several verbs take, and their rules.
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use whitecap_render::surface::Backend;
+
 /// The moments that can be asked for; beyond them, 32-bit phases on the GPU lose their meaning.
 pub(super) const MAX_TIME_S: f64 = 1e6;
 
@@ -112,4 +115,15 @@ mod tests {
             assert!(parse_uv(text).is_err_and(|message| message.contains("0.3,0.7")), "{text:?}");
         }
     }
+}
+
+/// A backend of the simulation, or none for the one that suits the adapter.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct WantedBackend(pub(super) Option<Backend>);
+
+/// Reads `auto` or a backend's word.
+pub(super) fn backend_parser() -> impl TypedValueParser<Value = WantedBackend> {
+    let words = ["auto"].into_iter().chain(Backend::ALL.map(Backend::word));
+    PossibleValuesParser::new(words)
+        .map(|word| WantedBackend(Backend::ALL.into_iter().find(|backend| backend.word() == word)))
 }

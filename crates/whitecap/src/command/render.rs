@@ -1,6 +1,6 @@
 //! `whitecap render`: one picture of one scene.
 
-use super::options::{MAX_SEED, Size, parse_size, parse_time_s};
+use super::options::{MAX_SEED, Size, WantedBackend, backend_parser, parse_size, parse_time_s};
 use crate::failure::Failure;
 use crate::stages::{StageTime, Stages, milliseconds};
 use crate::whole_file::WholeFile;
@@ -58,6 +58,10 @@ pub(crate) struct Render {
     #[arg(long, value_name = "NAME", value_hint = ValueHint::Other)]
     adapter: Option<String>,
 
+    /// Who works out a sea of spectra: the processor, or compute passes of the adapter
+    #[arg(long, value_name = "WHO", default_value = "auto", value_parser = backend_parser())]
+    backend: WantedBackend,
+
     /// Print the result as JSON: scene, picture, size, time, seed, adapter, stages, total, peak memory
     #[arg(long)]
     pub(crate) json: bool,
@@ -75,7 +79,12 @@ impl Render {
         stages.begin("adapter");
         let gpu = Gpu::open(self.adapter.as_deref())?;
 
-        let request = PictureRequest { width: self.size.width, height: self.size.height, time_s: self.time };
+        let request = PictureRequest {
+            backend: self.backend.0,
+            width: self.size.width,
+            height: self.size.height,
+            time_s: self.time,
+        };
         let picture = render_picture(&gpu, &scene, &request, &mut |stage| stages.begin(stage.label()))?;
 
         stages.begin("png");

@@ -110,7 +110,8 @@ fn a_tile_that_is_too_small_is_warned_of() {
 fn people_get_a_table() {
     let folder = tempfile::tempdir().unwrap();
     let told = stdout(&whitecap(folder.path()).arg("spectrum").assert().success());
-    for words in ["requested", "theory", "surface", "Hs, m", "1.728", "250.0", "tile of 150.0 m, 64 samples"] {
+    for words in ["requested", "theory", "surface", "Hs, m", "1.728", "250.0", "tile of 150.0 m, 64 samples"]
+    {
         assert!(told.contains(words), "{words} is missing from:\n{told}");
     }
 }

@@ -407,7 +407,7 @@ fn no_hole_opens_along_the_shore() {
 
 fn picture(gpu: &Gpu, toml: &str, time_s: f64) -> Vec<u8> {
     let scene = Scene::from_toml(toml, "test.toml").unwrap_or_else(|error| panic!("{error}"));
-    let request = PictureRequest { width: 96, height: 54, time_s };
+    let request = PictureRequest { backend: None, width: 96, height: 54, time_s };
     render_picture(gpu, &scene, &request, &mut |_| {}).unwrap().rgba8
 }
 

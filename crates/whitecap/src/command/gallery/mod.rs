@@ -154,11 +154,16 @@ impl Gallery {
         begin: &mut dyn FnMut(&'static str),
     ) -> Result<Exhibit, Failure> {
         let scene = whitecap_scene::open(named.name)?;
-        let request = PictureRequest { width: self.size.width, height: self.size.height, time_s: self.time };
+        let request = PictureRequest {
+            backend: None,
+            width: self.size.width,
+            height: self.size.height,
+            time_s: self.time,
+        };
         let picture = render_picture(gpu, &scene, &request, &mut |stage| begin(stage.label()))?;
         let (passes, sum_ms) = if self.runs > 0 {
             begin("frames");
-            timed(gpu, &scene, self.timing_size, self.runs.into())?
+            timed(gpu, &scene, self.timing_size, None, self.runs.into())?
         } else {
             (Vec::new(), 0.0)
         };
