@@ -30,4 +30,4 @@ pub use target::TargetFormat;
 pub use timing::PassTime;
 pub use uniforms::MAX_VIEWS;
 pub use view::View;
-pub use water::Water;
+pub use water::{Water, WaterOptions};

@@ -3,6 +3,7 @@
 use crate::environment::Environment;
 use crate::gpu::checked;
 use crate::pass::{ObjectPass, Objects, SkyPass};
+use crate::surface::Backend;
 use crate::technique::{self, Build, Frame, Technique};
 use crate::timing::PassTimer;
 use crate::uniforms::{Role, Shared};
@@ -36,6 +37,13 @@ pub struct Water {
     technique: Box<dyn Technique>,
 }
 
+/// What a host may decide about a [`Water`] beside its scene. The picture is the same for all of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct WaterOptions {
+    /// Who works a spectral sea out; `None` leaves it to [`Backend::auto`].
+    pub backend: Option<Backend>,
+}
+
 impl Water {
     /// Computes the scene's sky and builds its technique for passes of `target`'s format.
     ///
@@ -64,6 +72,23 @@ impl Water {
         environment: &Environment,
         target: TargetFormat,
     ) -> Result<Water, RenderError> {
+        Water::with_options(device, queue, scene, environment, target, &WaterOptions::default())
+    }
+
+    /// As [`Water::with_environment`], with what is left to whitecap otherwise.
+    ///
+    /// # Errors
+    ///
+    /// As [`Water::new`], and [`RenderError::Unsupported`] if an option asks for what the device or the scene's sea
+    /// cannot do.
+    pub fn with_options(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        scene: &Scene,
+        environment: &Environment,
+        target: TargetFormat,
+        options: &WaterOptions,
+    ) -> Result<Water, RenderError> {
         checked(device, "the water", || {
             let shared = Shared::new(device, queue, environment, target);
             let objects = Objects::new(device, queue, scene)?;
@@ -75,6 +100,7 @@ impl Water {
                 scene,
                 shared: &shared,
                 objects: &objects,
+                backend: options.backend,
                 irradiance: environment.irradiance,
                 daylight: environment.daylight,
                 toward_sun: environment.sun.map_or(Vec3::Y, |sun| sun.toward),

@@ -31,6 +31,7 @@
 mod camera;
 mod error;
 mod key;
+pub mod measured;
 pub mod mesh;
 pub mod named;
 pub mod object;

@@ -51,6 +51,7 @@ pub fn reference() -> impl Iterator<Item = KeyDoc> {
     keys.add("", None, Scene::keys());
     keys.add_tagged("sea", &sea::TAG);
     keys.add_tagged("sea.system[]", &sea::system::TAG);
+    keys.add("sea.system[]", Some((sea::system::MEASURED, "FILE")), sea::system::MEASURED_KEYS());
     keys.add("sea.cascade[]", None, sea::CASCADE_KEYS());
     keys.add("sea.wave[]", None, sea::WAVE_KEYS());
     for technique in technique::ALL {

@@ -42,6 +42,9 @@ pub struct Scene {
     pub panorama: Option<Arc<Panorama>>,
     /// The objects with their meshes, if there are any and the scene came from a file. They are not part of what the file says.
     pub models: Option<Vec<Model>>,
+    /// Where its sea bends what the file asks for, one sentence each, as far as it was built when it was read. They are
+    /// not part of what the file says.
+    pub warnings: Vec<String>,
 }
 
 /// Reads the scene that `name_or_path` says: a named scene, or else a file.
@@ -70,7 +73,7 @@ pub fn open(name_or_path: &str) -> Result<Scene, SceneError> {
 }
 
 impl Scene {
-    /// Reads a scene file and the picture of its sky, if it has one. Files that it names are relative to its
+    /// Reads a scene file and the picture of its sky, if it has one, and checks that its sea can be built. Files that it names are relative to its
     /// folder; the scene holds their whole paths.
     ///
     /// # Errors
@@ -82,13 +85,14 @@ impl Scene {
         let text = text_of(path).map_err(|problem| SceneError::about_file(&origin, problem))?;
         Self::read_text(&text, &origin, |scene| {
             let objects = scene.objects.iter_mut().filter_map(|object| object.file.as_mut());
-            for file in scene.sky.file_mut().into_iter().chain(objects) {
+            for file in scene.sky.file_mut().into_iter().chain(objects).chain(scene.sea.files_mut()) {
                 if let Ok(path) = std::path::absolute(path)
                     && let Some(folder) = path.parent()
                 {
                     *file = folder.join(&file);
                 }
             }
+            scene.build_once()?;
             if let Sky::Panorama(sky) = &scene.sky {
                 let picture =
                     sky.load().map_err(|error| SceneError::about_key("sky.file", error.to_string()))?;
@@ -107,7 +111,13 @@ impl Scene {
     ///
     /// If the text is not TOML, longer than 1 MiB, or says something that is not accepted.
     pub fn from_toml(text: &str, origin: &str) -> Result<Self, SceneError> {
-        Self::read_text(text, origin, |_| Ok(()))
+        Self::read_text(text, origin, |scene| {
+            // What its files hold is for `load` to say, which knows where they are.
+            if scene.sea.files_mut().next().is_none() {
+                scene.build_once()?;
+            }
+            Ok(())
+        })
     }
 
     /// Reads and checks `text`, and lets `finish` add what the text alone does not hold.
@@ -123,7 +133,6 @@ impl Scene {
         let root = DeTable::parse(text).map_err(|error| source.syntax_error(&error))?;
         let table = TableReader::root(&source, root.get_ref());
         let mut scene = Self::read(&table)?;
-        scene.sea.build(scene.seed).map_err(|error| table.locate(error))?;
         finish(&mut scene).map_err(|error| table.locate(error))?;
         Ok(scene)
     }
@@ -154,7 +163,15 @@ impl Scene {
             sea,
             panorama: None,
             models: None,
+            warnings: Vec::new(),
         })
+    }
+
+    /// Sees whether the sea can be built, and what it bends.
+    fn build_once(&mut self) -> Result<(), SceneError> {
+        let surface = self.sea.build(self.seed)?;
+        self.warnings = self.sea.warnings(&surface);
+        Ok(())
     }
 
     /// The objects with their meshes: those that were read with the file, or read now.

@@ -172,7 +172,8 @@ fn unknown_words() {
     );
     assert_eq!(
         message("spectrum", "spectrum = \"brown\""),
-        "storm.toml:10: sea.system[0].spectrum = \"brown\": no such spectrum; accepted: \"phillips\""
+        "storm.toml:10: sea.system[0].spectrum = \"brown\": no such spectrum; accepted: \
+         \"pierson-moskowitz\", \"jonswap\", \"tma\", \"elfouhaily\", \"phillips\""
     );
     assert_eq!(
         message("fresnel", "fresnel = \"PerPixel\""),
@@ -227,8 +228,8 @@ fn objects() {
 #[test]
 fn missing_keys_and_tables() {
     assert_eq!(
-        message("wind_speed_mps", ""),
-        "storm.toml:9: sea.system[0].wind_speed_mps: missing; required: 0.1 to 50 m/s"
+        message("from_deg", ""),
+        "storm.toml:9: sea.system[0].from_deg: missing; required: 0 to 360 deg"
     );
     assert_eq!(
         message("look_at_m", ""),
@@ -268,6 +269,125 @@ fn contradictions() {
         "storm.toml:24: camera.look_at_m = [0, 4, 0]: the same place as position_m; \
          accepted: at least 0.001 m away from it"
     );
+}
+
+/// A scene whose only wave system has these lines.
+fn system(lines: &str) -> String {
+    format!("[sea]\ntile_size_m = 400.0\nresolution = 256\n[[sea.system]]\nfrom_deg = 250.0\n{lines}\n")
+}
+
+#[test]
+fn a_wave_system_says_how_high_it_is_in_one_way() {
+    let after = |lines: &str| message_for(&system(lines));
+    assert_eq!(
+        after("spectrum = \"jonswap\""),
+        "storm.toml:4: sea.system[0]: does not say how high its waves are; accepted: one of wind_speed_mps, \
+         significant_height_m, sea_state, beaufort"
+    );
+    for (spectrum, first, second, found) in [
+        ("jonswap", "wind_speed_mps", "significant_height_m", "2"),
+        ("jonswap", "wind_speed_mps", "sea_state", "2"),
+        ("tma", "significant_height_m", "beaufort", "2"),
+        ("pierson-moskowitz", "sea_state", "beaufort", "2"),
+        ("elfouhaily", "wind_speed_mps", "beaufort", "2"),
+        ("phillips", "wind_speed_mps", "sea_state", "2"),
+        ("phillips", "significant_height_m", "beaufort", "2"),
+    ] {
+        assert_eq!(
+            after(&format!("spectrum = \"{spectrum}\"\n{first} = 4\n{second} = {found}")),
+            format!(
+                "storm.toml:8: sea.system[0].{second} = {found}: beside {first}, which says how high the waves \
+                 are; remove one of the two"
+            )
+        );
+    }
+    assert_eq!(
+        after("spectrum = \"jonswap\"\nsignificant_height_m = 2\nfetch_km = 100"),
+        "storm.toml:8: sea.system[0].fetch_km = 100: beside significant_height_m, but only with \
+         wind_speed_mps or beaufort; remove fetch_km, or give wind_speed_mps or beaufort instead of \
+         significant_height_m"
+    );
+    for spectrum in ["pierson-moskowitz", "jonswap", "phillips"] {
+        assert_eq!(
+            after(&format!("spectrum = \"{spectrum}\"\nwind_speed_mps = 9\npeak_period_s = 8")),
+            "storm.toml:8: sea.system[0].peak_period_s = 8: beside wind_speed_mps, but only with \
+             significant_height_m; remove peak_period_s, or give significant_height_m instead of wind_speed_mps"
+        );
+    }
+    assert!(after("spectrum = \"pierson-moskowitz\"\nsea_state = 4\nfetch_km = 100").starts_with(
+        "storm.toml:8: sea.system[0].fetch_km: only with spectrum = \"jonswap\", but here spectrum = \
+             \"pierson-moskowitz\"; "
+    ));
+}
+
+#[test]
+fn absurd_waves() {
+    let after = |line: &str| {
+        let lead = if line.contains("height") { "" } else { "significant_height_m = 2\n" };
+        message_for(&system(&format!("spectrum = \"jonswap\"\n{lead}{line}")))
+    };
+    for (key, found, accepted) in [
+        ("significant_height_m", "-1", "0.01 to 40 m"),
+        ("significant_height_m", "0", "0.01 to 40 m"),
+        ("significant_height_m", "90", "0.01 to 40 m"),
+        ("peak_period_s", "-8", "0.5 to 40 s"),
+        ("peak_period_s", "0", "0.5 to 40 s"),
+        ("peak_period_s", "nan", "0.5 to 40 s"),
+        ("gamma", "0.5", "1 to 10"),
+        ("gamma", "-3.3", "1 to 10"),
+        ("gamma", "11", "1 to 10"),
+        ("fetch_km", "-100", "0.01 to 20000 km"),
+        ("fetch_km", "0", "0.01 to 20000 km"),
+        ("fetch_km", "1e9", "0.01 to 20000 km"),
+        ("sea_state", "10", "0 to 9"),
+        ("sea_state", "-1", "0 to 9"),
+        ("beaufort", "13", "0 to 12"),
+        ("swell", "1.5", "0 to 1"),
+    ] {
+        let line = if key == "significant_height_m" { 7 } else { 8 };
+        assert_eq!(
+            after(&format!("{key} = {found}")),
+            format!("storm.toml:{line}: sea.system[0].{key} = {found}: out of range; accepted: {accepted}")
+        );
+    }
+}
+
+#[test]
+fn spreadings() {
+    let after = |spreading: &str| {
+        message_for(&system(&format!("spectrum = \"jonswap\"\nsea_state = 4\nspreading = {spreading}")))
+    };
+    let accepted = "accepted: \"cos2\", \"mitsuyasu\", \"hasselmann\", \"donelan-banner\", \"elfouhaily\"";
+    assert_eq!(
+        after("\"haselmann\""),
+        format!(
+            "storm.toml:8: sea.system[0].spreading = \"haselmann\": no such spreading; did you mean \
+             \"hasselmann\"? {accepted}"
+        )
+    );
+    assert_eq!(
+        after("25"),
+        format!(
+            "storm.toml:8: sea.system[0].spreading = 25: found an integer, wanted a string or a table; \
+             {accepted}, {{ cos2s = 0 to 1000 }}"
+        )
+    );
+    assert_eq!(
+        after("{ cos2s = -1 }"),
+        "storm.toml:8: sea.system[0].spreading.cos2s = -1: out of range; accepted: 0 to 1000"
+    );
+    assert_eq!(after("{}"), "storm.toml:8: sea.system[0].spreading.cos2s: missing; required: 0 to 1000");
+    assert_eq!(
+        after("{ s = 3 }"),
+        "storm.toml:8: sea.system[0].spreading.s: unknown key; accepted here: cos2s"
+    );
+}
+
+#[test]
+fn a_shallow_spectrum_over_deep_water() {
+    let camera = "[camera]\nposition_m = [0, 4, 0]\nlook_at_m = [9, 0, 0]";
+    let message = message_for(&system(&format!("spectrum = \"tma\"\nsea_state = 4\n{camera}")));
+    assert!(message.ends_with("this spectrum is that of shallow water; set depth_m"), "{message}");
 }
 
 #[test]

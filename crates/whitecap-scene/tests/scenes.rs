@@ -9,7 +9,7 @@ use std::sync::Arc;
 use proptest::prelude::*;
 use whitecap_scene::panorama::Panorama;
 use whitecap_scene::sea::system::{PhillipsSystem, System};
-use whitecap_scene::sea::{Amplitudes, SeaModel, SpectralSettings};
+use whitecap_scene::sea::{Amplitudes, SeaModel, SpectralSettings, Tiling};
 use whitecap_scene::sky::{Atmosphere, PanoramaSky};
 use whitecap_scene::technique::{FresnelForm, Meshuggah};
 use whitecap_scene::{Camera, Scene, Sea, Sky, Technique, named};
@@ -52,21 +52,25 @@ fn a_scene_says_what_its_file_says() {
                 current_mps: 0.0,
                 current_toward_deg: 0.0,
                 loop_s: None,
-                cascades: Some(1),
+                cascades: None,
                 tile_size_m: Some(120.0),
                 resolution: Some(128),
-                shortest_wave_m: 0.1,
+                shortest_wave_m: None,
                 cascade: None,
                 choppiness: 1.0,
                 amplitudes: Amplitudes::Gaussian,
                 system: vec![System::Phillips(PhillipsSystem {
-                    wind_speed_mps: 8.0,
+                    wind_speed_mps: Some(8.0),
+                    peak_period_s: None,
+                    sea_state: None,
+                    beaufort: None,
                     from_deg: 250.0,
                     significant_height_m: Some(0.5),
                     opposing_energy: 0.0,
                     small_wave_cutoff_m: 0.0,
                 })],
             }),
+            tiling: Tiling { cascades: 1, resolution: 64 },
         },
         sky: Sky::Atmosphere(Atmosphere { sun_azimuth_deg: 255.0, ..Atmosphere::default() }),
         camera: Camera {
@@ -77,6 +81,7 @@ fn a_scene_says_what_its_file_says() {
         panorama: None,
         objects: Vec::new(),
         models: None,
+        warnings: Vec::new(),
     };
     assert_eq!(Scene::from_toml(text, "small").unwrap(), expected);
     assert!(named::find(named::DEFAULT).is_some());

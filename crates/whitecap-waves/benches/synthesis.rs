@@ -1,10 +1,12 @@
-//! A whole sea against the bare transforms it cannot do without, on one thread.
+//! A whole sea against the bare transforms it cannot do without.
 //!
-//! `sea/N` evolves the waves and makes all eight fields of a tile of N² samples. `realfft/N` makes eight fields
-//! from eight spectra that are there already, with realfft along rows and rustfft along columns: the yardstick.
-//! `bare/N` does the same with our own transform. The ratios are what the sea costs beyond its transforms.
+//! `sea/N` evolves the waves and makes all eight fields of a tile of N² samples, on one thread. `realfft/N` makes eight
+//! fields from eight spectra that are there already, with realfft along rows and rustfft along columns: the
+//! yardstick. `bare/N` does the same with our own transform. The ratios are what the sea costs beyond its transforms.
+//! `sea-two-threads/N` is the sea on two.
 
-use criterion::{BenchmarkId, Criterion};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, BenchmarkId, Criterion};
 use realfft::{ComplexToReal, RealFftPlanner};
 use rustfft::{Fft, FftPlanner};
 use std::hint::black_box;
@@ -15,7 +17,7 @@ use whitecap_waves::model::{TileFields, WaveModel};
 use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
 use whitecap_waves::transform::{Complex, InverseReal2d};
 
-const SIZES: [usize; 3] = [64, 256, 512];
+const SIZES: [usize; 5] = [64, 256, 512, 1024, 2048];
 const FIELDS: usize = 8;
 
 fn sea(resolution: usize) -> SpectralTile {
@@ -91,49 +93,59 @@ impl Yardstick {
     }
 }
 
-fn synthesis(criterion: &mut Criterion) {
-    for n in SIZES {
-        let mut sea = sea(n);
-        let mut fields = TileFields::new(n);
-        let mut time_s = 0.0;
-        criterion.benchmark_group("sea").bench_function(BenchmarkId::from_parameter(n), |bencher| {
-            bencher.iter(|| {
-                time_s += 1.0 / 60.0;
-                sea.evaluate(black_box(time_s), &mut fields);
-                black_box(&fields);
-            });
-        });
-
-        let mut yardstick = Yardstick::new(n);
-        let spectra: Vec<_> = (0..FIELDS).map(|_| spectrum(n)).collect();
-        let mut outs = vec![vec![0.0; n * n]; FIELDS];
-        criterion.benchmark_group("realfft").bench_function(BenchmarkId::from_parameter(n), |bencher| {
-            bencher.iter(|| {
-                for (half, out) in spectra.iter().zip(&mut outs) {
-                    yardstick.process(black_box(half), out);
-                }
-                black_box(&outs);
-            });
-        });
-
-        let mut transform = InverseReal2d::new(n).expect("a good size");
-        criterion.benchmark_group("bare").bench_function(BenchmarkId::from_parameter(n), |bencher| {
-            bencher.iter(|| {
-                for (half, out) in spectra.iter().zip(&mut outs) {
-                    transform.process(black_box(half), out);
-                }
-                black_box(&outs);
-            });
-        });
-    }
+/// A few runs of a large tile tell as much as many of a small one.
+fn group<'a>(criterion: &'a mut Criterion, name: &str, n: usize) -> BenchmarkGroup<'a, WallTime> {
+    let mut group = criterion.benchmark_group(name);
+    group.sample_size(if n >= 1024 { 15 } else { 60 });
+    group
 }
 
-/// Everything runs in a pool of one thread, so that both sides are what one core does.
-fn main() {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("one thread");
-    pool.install(|| {
-        let mut criterion = Criterion::default().configure_from_args();
-        synthesis(&mut criterion);
-        criterion.final_summary();
+fn evaluate(criterion: &mut Criterion, name: &str, n: usize) {
+    let mut sea = sea(n);
+    let mut fields = TileFields::new(n);
+    let mut time_s = 0.0;
+    group(criterion, name, n).bench_function(BenchmarkId::from_parameter(n), |bencher| {
+        bencher.iter(|| {
+            time_s += 1.0 / 60.0;
+            sea.evaluate(black_box(time_s), &mut fields);
+            black_box(&fields);
+        });
     });
+}
+
+/// What one core does: the sea and the bare transforms.
+fn alone(criterion: &mut Criterion, n: usize) {
+    evaluate(criterion, "sea", n);
+    let mut yardstick = Yardstick::new(n);
+    let mut transform = InverseReal2d::new(n).expect("a good size");
+    let spectra: Vec<_> = (0..FIELDS).map(|_| spectrum(n)).collect();
+    let mut outs = vec![vec![0.0; n * n]; FIELDS];
+    group(criterion, "realfft", n).bench_function(BenchmarkId::from_parameter(n), |bencher| {
+        bencher.iter(|| {
+            for (half, out) in spectra.iter().zip(&mut outs) {
+                yardstick.process(black_box(half), out);
+            }
+            black_box(&outs);
+        });
+    });
+    group(criterion, "bare", n).bench_function(BenchmarkId::from_parameter(n), |bencher| {
+        bencher.iter(|| {
+            for (half, out) in spectra.iter().zip(&mut outs) {
+                transform.process(black_box(half), out);
+            }
+            black_box(&outs);
+        });
+    });
+}
+
+/// For each size first what one thread does, then what two do.
+fn main() {
+    let pool =
+        |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("as many threads");
+    let (one, two) = (pool(1), pool(2));
+    for n in SIZES {
+        one.install(|| alone(&mut Criterion::default().configure_from_args(), n));
+        two.install(|| evaluate(&mut Criterion::default().configure_from_args(), "sea-two-threads", n));
+    }
+    Criterion::default().configure_from_args().final_summary();
 }

@@ -20,6 +20,10 @@ pub enum ParameterError {
         accepted: &'static str,
     },
 
+    /// A spectrum of shallow water over water without a bottom.
+    #[error("this spectrum is that of shallow water; set depth_m")]
+    NeedsDepth,
+
     /// A wave system most of whose energy the lattice of a tile cannot carry.
     #[error(
         "a tile of {tile_size_m} m with {resolution} samples a side carries only {:.0} % of the energy of \

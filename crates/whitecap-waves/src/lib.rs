@@ -6,6 +6,7 @@
 //! | module | what it holds |
 //! | --- | --- |
 //! | [`spectrum`] | how the sea's energy is spread over wave lengths and directions |
+//! | [`spreading`] | how waves of one frequency are spread over directions |
 //! | [`dispersion`] | how fast a wave of a given length runs |
 //! | [`model`] | surfaces in time: the [`Surface`](model::Surface) trait, the spectral sea, four sines, animated noise |
 //! | [`query`] | the surface over any places, in batches |
@@ -77,6 +78,7 @@ pub mod optics;
 pub mod query;
 mod random;
 pub mod spectrum;
+pub mod spreading;
 pub mod statistics;
 pub mod transform;
 mod turns;

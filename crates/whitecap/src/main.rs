@@ -8,6 +8,7 @@ mod failure;
 mod headless;
 mod memory;
 mod png;
+mod sheet;
 mod stages;
 mod stdout;
 mod whole_file;
@@ -51,7 +52,7 @@ fn answer_usage(usage: &clap::Error) -> ExitCode {
 }
 
 /// Says once, in one sentence, why there is no result.
-fn report(failure: &Failure, json: bool) -> ExitCode {
+pub(crate) fn report(failure: &Failure, json: bool) -> ExitCode {
     if let Some(sentence) = failure.sentence() {
         // Nobody is left to tell if either stream is closed.
         let _ = writeln!(std::io::stderr(), "whitecap: {sentence}");

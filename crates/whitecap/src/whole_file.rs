@@ -62,14 +62,19 @@ impl WholeFile {
 
     /// Writes `bytes` under the planned name.
     pub(crate) fn write(&self, bytes: &[u8]) -> Result<(), Failure> {
-        self.write_with(|file| file.write_all(bytes)).map_err(|error| cannot_write(&self.path, error))
+        self.stream(|file| file.write_all(bytes).map_err(|error| cannot_write(&self.path, error)))
     }
 
-    fn write_with(&self, fill: impl FnOnce(&mut fs::File) -> io::Result<()>) -> io::Result<()> {
-        let mut temporary = self.temporary()?;
+    /// Writes what `fill` writes under the planned name, once it is done; nothing if it fails.
+    pub(crate) fn stream(
+        &self,
+        fill: impl FnOnce(&mut fs::File) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        let failure = |error| cannot_write(&self.path, error);
+        let mut temporary = self.temporary().map_err(failure)?;
         fill(temporary.as_file_mut())?;
-        temporary.as_file().sync_all()?;
-        temporary.persist(&self.path).map_err(|refused| refused.error)?;
+        temporary.as_file().sync_all().map_err(failure)?;
+        temporary.persist(&self.path).map_err(|refused| failure(refused.error))?;
         Ok(())
     }
 
@@ -134,15 +139,15 @@ mod tests {
         fs::write(&path, b"old").unwrap();
         let file = WholeFile::plan(&path).unwrap();
         let error = file
-            .write_with(|file| {
-                file.write_all(b"half of the new")?;
-                Err(io::ErrorKind::StorageFull.into())
+            .stream(|file| {
+                file.write_all(b"half of the new").unwrap();
+                Err(cannot_write(&path, io::ErrorKind::StorageFull.into()))
             })
             .unwrap_err();
         assert_eq!(fs::read(&path).unwrap(), b"old");
         assert_eq!(names_in(folder.path()), ["sea.png"]);
 
-        let sentence = cannot_write(&path, error).sentence().unwrap();
+        let sentence = error.sentence().unwrap();
         assert!(sentence.contains("sea.png") && sentence.contains("free some space"), "{sentence}");
     }
 

@@ -10,7 +10,7 @@ pub(crate) mod resources;
 
 pub use adapter::{AdapterDescription, list_adapters};
 pub use error::{RenderError, checked};
-pub use read_back::{read_buffer, read_texture};
+pub use read_back::{read_buffer, read_level, read_texture};
 
 use std::sync::{Arc, OnceLock};
 

@@ -15,22 +15,37 @@ pub fn read_texture(
     queue: &wgpu::Queue,
     texture: &wgpu::Texture,
 ) -> Result<Vec<u8>, RenderError> {
+    read_level(device, queue, texture, 0)
+}
+
+/// As [`read_texture`], for any mip.
+///
+/// # Errors
+///
+/// As [`read_texture`].
+pub fn read_level(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    texture: &wgpu::Texture,
+    mip_level: u32,
+) -> Result<Vec<u8>, RenderError> {
+    let [width, height] = [texture.width(), texture.height()].map(|side| (side >> mip_level).max(1));
     let texel = texture
         .format()
         .block_copy_size(None)
         .filter(|_| texture.format().block_dimensions() == (1, 1))
         .ok_or_else(|| RenderError::Unsupported { what: format!("read-back of {:?}", texture.format()) })?;
-    let row = texture.width() * texel;
+    let row = width * texel;
     let padded_row = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
     let staging = device.create_buffer(&wgpu::BufferDescriptor {
         label: Some("read-back"),
-        size: u64::from(padded_row) * u64::from(texture.height()),
+        size: u64::from(padded_row) * u64::from(height),
         usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
         mapped_at_creation: false,
     });
     let mut encoder = device.create_command_encoder(&Default::default());
     encoder.copy_texture_to_buffer(
-        texture.as_image_copy(),
+        wgpu::TexelCopyTextureInfo { mip_level, ..texture.as_image_copy() },
         wgpu::TexelCopyBufferInfo {
             buffer: &staging,
             layout: wgpu::TexelCopyBufferLayout {
@@ -39,7 +54,7 @@ pub fn read_texture(
                 rows_per_image: None,
             },
         },
-        wgpu::Extent3d { width: texture.width(), height: texture.height(), depth_or_array_layers: 1 },
+        wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
     );
     queue.submit([encoder.finish()]);
     let padded = map(device, &staging)?;

@@ -69,6 +69,22 @@ shaders! {
     FIVE_SAMPLE_DOME = "five_sample_dome";
     /// Its functions on a buffer of inputs.
     FIVE_SAMPLE_TWINS = "five_sample_twins";
+    /// The spectral sea: its waves at a moment.
+    SPECTRAL_EVOLVE = "spectral_evolve";
+    /// Its spectra, transformed along the columns.
+    SPECTRAL_COLUMNS = "spectral_columns";
+    /// Its fields.
+    SPECTRAL_ROWS = "spectral_rows";
+    /// Its displacement and slopes for vertices.
+    SPECTRAL_MESH_MAPS = "spectral_mesh_maps";
+    /// Its normal map.
+    SPECTRAL_NORMAL_MAP = "spectral_normal_map";
+    /// Its normal map's mips.
+    SPECTRAL_MIPS = "spectral_mips";
+    /// What the mips have lost.
+    SPECTRAL_LOST_VARIANCE = "spectral_lost_variance";
+    /// Its phases and points on buffers of inputs.
+    SPECTRAL_TWINS = "spectral_twins";
     /// Our own ocean.
     SPECTRAL_OCEAN = "spectral_ocean";
     /// The same, shaded once for each sample instead of once for each pixel.

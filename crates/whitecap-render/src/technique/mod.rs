@@ -12,6 +12,7 @@ pub mod rippling_lake;
 pub mod spectral_ocean;
 
 use crate::pass::Objects;
+use crate::surface::Backend;
 use crate::timing::PassTimer;
 use crate::uniforms::Shared;
 use crate::{RenderError, View};
@@ -82,6 +83,8 @@ pub struct Build<'a> {
     pub(crate) shared: &'a Shared,
     /// What stands or floats in the water.
     pub(crate) objects: &'a Objects,
+    /// Who works a spectral sea out; `None` leaves it to [`Backend::auto`].
+    pub backend: Option<Backend>,
     /// Irradiance on the sea, linear, per channel.
     pub irradiance: glam::Vec3,
     /// Display brightness of the sky against a day's, see [`crate::environment::Environment::daylight`].

@@ -28,6 +28,17 @@ pub enum Accepts {
     Integers(Vec<u32>),
     /// One of these words.
     Words(Vec<&'static str>),
+    /// One of these words, or a table with one number: `{ key = number }`.
+    WordsOrTable {
+        /// The words.
+        words: Vec<&'static str>,
+        /// The key of the table.
+        key: &'static str,
+        /// The least of its number.
+        min: f64,
+        /// The greatest of its number.
+        max: f64,
+    },
     /// Red, green and blue, each within the bounds.
     Colour {
         /// The least of each.
@@ -57,6 +68,10 @@ pub enum Accepts {
     },
     /// The path of a file, relative to the scene file's folder.
     File,
+    /// A name in the words of another file.
+    Name,
+    /// A moment, such as `2022-09-12T06:00:00Z`.
+    Time,
     /// A number of tables of the same name, `[[like.this]]`.
     Tables {
         /// Their name.
@@ -74,9 +89,10 @@ impl Accepts {
         match self {
             Self::Real { .. } => "a number",
             Self::Integer { .. } | Self::Integers(_) => "an integer",
-            Self::Words(_) | Self::File => "a string",
+            Self::Words(_) | Self::File | Self::Name | Self::Time => "a string",
             Self::Colour { .. } | Self::Point { .. } => "an array of 3 numbers",
             Self::Pair { .. } => "an array of 2 numbers",
+            Self::WordsOrTable { .. } => "a string or a table",
             Self::Flag => "a boolean",
             Self::Tables { .. } => "an array of tables",
         }
@@ -102,6 +118,9 @@ impl fmt::Display for Accepts {
                 f.write_str(&integers.iter().map(u32::to_string).collect::<Vec<_>>().join(", "))
             }
             Self::Words(words) => f.write_str(&quoted_list(words)),
+            Self::WordsOrTable { words, key, min, max } => {
+                write!(f, "{}, {{ {key} = {min} to {max} }}", quoted_list(words))
+            }
             Self::Colour { min, max, .. } => write!(f, "[red, green, blue], each {min} to {max}{unit}"),
             Self::Pair { min, max, .. } => write!(f, "[first, second], each {min} to {max}{unit}"),
             Self::Flag => f.write_str("true, false"),
@@ -109,6 +128,8 @@ impl fmt::Display for Accepts {
                 write!(f, "[x, y, z], x {x} to {to_x}, y {y} to {to_y}, z {z} to {to_z}{unit}")
             }
             Self::File => f.write_str("the path of a file, relative to the scene file"),
+            Self::Name => f.write_str("a name"),
+            Self::Time => f.write_str("a time such as 2022-09-12T06:00:00Z"),
             Self::Tables { name, min, max } if min == max => write!(f, "{min} tables [[{name}]]"),
             Self::Tables { name, min, max } => write!(f, "{min} to {max} tables [[{name}]]"),
         }

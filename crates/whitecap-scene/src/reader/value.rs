@@ -53,10 +53,10 @@ impl<'a> ValueReader<'a> {
     }
 
     /// A table; anything else is an error.
-    pub(crate) fn table(self) -> Result<TableReader<'a>, SceneError> {
+    pub(crate) fn table(&self) -> Result<TableReader<'a>, SceneError> {
         match self.value.get_ref() {
             DeValue::Table(table) => {
-                Ok(TableReader::at(self.source, self.key, self.value.span().start, table))
+                Ok(TableReader::at(self.source, self.key.clone(), self.value.span().start, table))
             }
             _ => Err(self.wrong_type("a table")),
         }

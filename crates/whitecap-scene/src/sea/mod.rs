@@ -13,13 +13,17 @@ pub use calm::CalmSettings;
 pub use cascade::Cascade;
 pub use perlin::PerlinSettings;
 pub use sines::{SinesSettings, Taylor};
-pub use spectral::{Amplitudes, SpectralSettings};
+pub use spectral::{Amplitudes, SpectralSettings, Tiling};
 pub use surface::SeaSurface;
 pub use wave::Wave;
 
 pub(crate) use cascade::KEYS as CASCADE_KEYS;
-pub(crate) use spectral::Tiling;
 pub(crate) use wave::KEYS as WAVE_KEYS;
+
+use std::path::PathBuf;
+
+use whitecap_waves::model::spectral::Water;
+use whitecap_waves::spectrum::WaveSpectrum;
 
 use crate::error::SceneError;
 use crate::reader::{TableReader, quoted_list};
@@ -32,6 +36,10 @@ pub struct Sea {
     /// What moves the surface, with its settings.
     #[serde(flatten)]
     pub model: SeaModel,
+    /// How the scene's technique draws a spectral sea where the file leaves it open. It is not part of what the file
+    /// says.
+    #[serde(skip)]
+    pub tiling: Tiling,
 }
 
 /// A model of the moving surface, with its settings.
@@ -89,11 +97,23 @@ impl Sea {
                 ),
             ));
         }
-        let mut model = table.tagged(&tag)?;
-        if let SeaModel::Spectral(settings) = &mut model {
-            settings.complete(table, technique.word(), &technique.tiling())?;
+        let (model, tiling) = (table.tagged(&tag)?, technique.tiling());
+        if let SeaModel::Spectral(settings) = &model {
+            settings.check(table, technique.word(), &tiling)?;
         }
-        Ok(Self { model })
+        Ok(Self { model, tiling })
+    }
+
+    /// What the waves of a spectral sea run in; still and deep for another.
+    ///
+    /// # Errors
+    ///
+    /// As [`SpectralSettings::water`].
+    pub fn water(&self) -> Result<Water, SceneError> {
+        match &self.model {
+            SeaModel::Spectral(settings) => settings.water(),
+            _ => Ok(Water::STILL),
+        }
     }
 
     /// Where `surface`, built from this sea, bends what was asked for, such as energy that its tiles cannot carry:
@@ -105,6 +125,15 @@ impl Sea {
         }
     }
 
+    /// The files that it is read from.
+    pub(crate) fn files_mut(&mut self) -> impl Iterator<Item = &mut PathBuf> {
+        let systems = match &mut self.model {
+            SeaModel::Spectral(settings) => settings.system.as_mut_slice(),
+            _ => &mut [],
+        };
+        systems.iter_mut().filter_map(system::System::file_mut)
+    }
+
     /// The moving surface itself. Equal settings and seeds give equal surfaces.
     ///
     /// # Errors
@@ -113,10 +142,22 @@ impl Sea {
     /// from a file has been built once, so it builds again.
     pub fn build(&self, seed: u64) -> Result<SeaSurface, SceneError> {
         match &self.model {
-            SeaModel::Spectral(settings) => settings.build(seed),
+            SeaModel::Spectral(settings) => settings.build(&self.tiling, seed),
             SeaModel::Sines(settings) => settings.build(),
             SeaModel::Perlin(settings) => settings.build(seed),
             SeaModel::Calm(settings) => Ok(settings.build()),
+        }
+    }
+
+    /// The spectra that the waves are drawn from, one for each `[[sea.system]]`; none where a sea has no such.
+    ///
+    /// # Errors
+    ///
+    /// As [`build`](Self::build).
+    pub fn spectra(&self) -> Result<Vec<Box<dyn WaveSpectrum>>, SceneError> {
+        match &self.model {
+            SeaModel::Spectral(settings) => settings.spectra(),
+            _ => Ok(Vec::new()),
         }
     }
 }

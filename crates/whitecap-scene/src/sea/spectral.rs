@@ -54,7 +54,8 @@ table! {
         /// How many samples each tile has along a side.
         resolution: Option<u32> = optional(PowerOfTwo { min: 16, max: 2048 }, "the technique's");
         /// The shortest wave that the tiles should reach down to, as far as their number and resolution allow.
-        shortest_wave_m: f64 = or(Real { unit: "m", min: 0.001, max: 1000.0 }, 0.1);
+        shortest_wave_m: Option<f64> =
+            optional(Real { unit: "m", min: 0.001, max: 1000.0 }, "0.1 m");
         /// The tiles themselves, `[[sea.cascade]]`, in place of the four keys above.
         cascade: Option<Vec<Cascade>> = optional(Cascades, "chosen by the spectrum");
         /// How far crests are drawn together: 0 leaves them round, 1 is what linear theory says.
@@ -67,15 +68,19 @@ table! {
 }
 
 /// How many tiles a technique draws, and how it draws them where the scene does not say.
-pub(crate) struct Tiling {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tiling {
     /// The most tiles.
-    pub(crate) cascades: u32,
+    pub cascades: u32,
     /// Samples along a side.
-    pub(crate) resolution: u32,
+    pub resolution: u32,
 }
 
-/// Less of a system than this on the tiles is worth a warning.
-const FULL: f64 = 0.995;
+/// What ten samples of a picture taken from eye height show at the viewer's feet.
+const SHORTEST_WAVE_M: f64 = 0.1;
+
+/// Less of a system than this on the tiles is worth a warning: its height is 1 % lower than was asked for.
+const FULL: f64 = 0.98;
 
 impl SpectralSettings {
     fn read_checked(table: &TableReader<'_>) -> Result<Self, SceneError> {
@@ -90,16 +95,18 @@ impl SpectralSettings {
         Ok(settings)
     }
 
-    /// Refuses more tiles than `technique` draws, and says what it draws where the file does not.
-    pub(super) fn complete(
-        &mut self,
+    /// Refuses more tiles than `technique` draws.
+    pub(super) fn check(
+        &self,
         table: &TableReader<'_>,
         technique: &str,
         tiling: &Tiling,
     ) -> Result<(), SceneError> {
-        let count = self.cascade.as_ref().map(|list| list.len() as u32).or(self.cascades);
-        if count.is_some_and(|count| count > tiling.cascades) {
-            let key = if self.cascade.is_some() { "cascade" } else { "cascades" };
+        let (key, count) = match &self.cascade {
+            Some(list) => ("cascade", list.len() as u32),
+            None => ("cascades", self.cascades.unwrap_or(1)),
+        };
+        if count > tiling.cascades {
             return Err(table.error(
                 Some(key),
                 format!(
@@ -107,10 +114,6 @@ impl SpectralSettings {
                     tiling.cascades
                 ),
             ));
-        }
-        if self.cascade.is_none() {
-            self.cascades.get_or_insert(tiling.cascades);
-            self.resolution.get_or_insert(tiling.resolution);
         }
         Ok(())
     }
@@ -138,15 +141,14 @@ impl SpectralSettings {
     ///
     /// If the settings of a system contradict each other.
     pub fn spectra(&self) -> Result<Vec<Box<dyn WaveSpectrum>>, SceneError> {
-        let spectrum = |(index, system): (usize, &System)| {
-            let key = |field: &str| format!("sea.system[{index}].{field}");
-            system.build().map_err(|error| problem(&error, key))
-        };
+        let dispersion = self.water()?.dispersion;
+        let spectrum =
+            |(index, system): (usize, &System)| system.build(&format!("sea.system[{index}]"), &dispersion);
         self.system.iter().enumerate().map(spectrum).collect()
     }
 
-    /// The tiles for a sea of these spectra.
-    pub fn cascades(&self, spectra: &[Box<dyn WaveSpectrum>]) -> Vec<spectral::Cascade> {
+    /// The tiles for a sea of these spectra, drawn by a technique with this tiling.
+    pub fn cascades(&self, spectra: &[Box<dyn WaveSpectrum>], tiling: &Tiling) -> Vec<spectral::Cascade> {
         match &self.cascade {
             Some(list) => {
                 let tiles: Vec<_> =
@@ -157,18 +159,18 @@ impl SpectralSettings {
                 spectra,
                 CascadeBudget {
                     tile_size_m: self.tile_size_m,
-                    shortest_wave_m: self.shortest_wave_m,
-                    cascades: self.cascades.unwrap_or(1) as usize,
-                    resolution: self.resolution.unwrap_or(64) as usize,
+                    shortest_wave_m: self.shortest_wave_m.unwrap_or(SHORTEST_WAVE_M),
+                    cascades: self.cascades.unwrap_or(tiling.cascades) as usize,
+                    resolution: self.resolution.unwrap_or(tiling.resolution) as usize,
                 },
             ),
         }
     }
 
-    pub(super) fn build(&self, seed: u64) -> Result<SeaSurface, SceneError> {
+    pub(super) fn build(&self, tiling: &Tiling, seed: u64) -> Result<SeaSurface, SceneError> {
         let spectra = self.spectra()?;
         let parameters = SpectralSeaParameters {
-            cascades: self.cascades(&spectra),
+            cascades: self.cascades(&spectra, tiling),
             choppiness: self.choppiness,
             water: self.water()?,
             seed,
@@ -179,14 +181,15 @@ impl SpectralSettings {
         };
         match SpectralSea::new(parameters, &spectra) {
             Ok(sea) => Ok(SeaSurface::Spectral(Box::new(sea))),
-            Err(error) => Err(problem(&error, |field| format!("sea.{field}"))),
+            Err(error) => Err(problem(&error)),
         }
     }
 
     /// Where `sea`, built from these settings, bends what was asked for: one sentence each.
     pub(super) fn warnings(&self, sea: &SpectralSea) -> Vec<String> {
         let Ok(spectra) = self.spectra() else { return Vec::new() };
-        let lost = |(index, (captured, spectrum)): (usize, (f64, &Box<dyn WaveSpectrum>))| {
+        let captured = sea.captured_fractions().into_iter().zip(spectra.iter().map(|spectrum| &**spectrum));
+        let lost = |(index, (captured, spectrum)): (usize, (f64, &dyn WaveSpectrum))| {
             if captured >= FULL {
                 return None;
             }
@@ -196,10 +199,14 @@ impl SpectralSettings {
                 "sea.system[{index}]: its tiles carry {:.1} % of its energy, {there_m:.2} m of {asked_m:.2} m of \
                  significant height: {}",
                 100.0 * captured,
-                self.remedy(sea, &Profile::of(spectrum)),
+                self.remedy(sea, &Profile::of(&spectrum)),
             ))
         };
-        sea.captured_fractions().into_iter().zip(&spectra).enumerate().filter_map(lost).collect()
+        let unusual = self.system.iter().enumerate().flat_map(|(index, system)| {
+            let warnings = system.warnings(&sea.parameters().water.dispersion);
+            warnings.into_iter().map(move |warning| format!("sea.system[{index}]: {warning}"))
+        });
+        unusual.chain(captured.enumerate().filter_map(lost)).collect()
     }
 
     /// What would make the rest of a spectrum fit.
@@ -227,10 +234,10 @@ impl SpectralSettings {
 }
 
 /// The sea's own complaint, under the key that it is about.
-fn problem(error: &ParameterError, key: impl Fn(&str) -> String) -> SceneError {
+fn problem(error: &ParameterError) -> SceneError {
     match error {
         ParameterError::OutOfRange { field, value, accepted } => SceneError::about_key(
-            key(field),
+            format!("sea.{field}"),
             format!("{value} is out of range for this sea; accepted: {accepted}"),
         ),
         _ => SceneError::about_key("sea.tile_size_m", error.to_string()),

@@ -82,7 +82,7 @@ impl Technique {
     }
 
     /// How many tiles of a spectral sea it draws.
-    pub(crate) fn tiling(&self) -> Tiling {
+    pub fn tiling(&self) -> Tiling {
         match self {
             Self::SpectralOcean(_) => spectral_ocean::TILING,
             _ => Tiling { cascades: 1, resolution: 64 },

@@ -2,12 +2,14 @@
 
 use crate::query::{self, QueryError};
 use glam::{DVec2, DVec3};
+use std::any::Any;
 
 mod calm;
 mod fields;
 pub mod perlin;
 pub mod sines;
 pub mod spectral;
+pub mod trochoidal;
 
 pub use calm::Calm;
 pub use fields::TileFields;
@@ -117,7 +119,7 @@ pub trait Surface: Send + Sync {
 /// let point = sine.sample(DVec2::new(5.0 * 20.0 / 16.0, 0.0), 3.0);
 /// assert!((f64::from(fields.height[5]) - point.displacement_m.y).abs() < 1e-6);
 /// ```
-pub trait WaveModel: Surface {
+pub trait WaveModel: Surface + Any {
     /// The side of the tile in metres: the surface repeats with this period in x and in z.
     fn tile_size_m(&self) -> f64;
 

@@ -47,8 +47,6 @@ pub struct Snapshot {
     /// What the grids were chosen for.
     sides_for: Vec<Key>,
     current_mps: DVec2,
-    /// The horizontal distance to a place at which the water there counts as found.
-    tolerance_m: f64,
 }
 
 impl Snapshot {
@@ -63,8 +61,6 @@ impl Snapshot {
                 .collect(),
             sides_for: sea.tiles().iter().map(key).collect(),
             current_mps: sea.parameters().water.current_mps,
-            // Slopes are gentle: this is far below a millimetre or a thousandth of the height.
-            tolerance_m: (1e-5 * significant_height_m(sea.variance_m2())).max(1e-4),
         }
     }
 
@@ -107,14 +103,18 @@ impl Snapshot {
         let mut sums = self.shape(rest_m);
         for _ in 0..MOST_STEPS {
             let miss = rest_m + sums.shift - place_m;
-            if miss.length_squared() < self.tolerance_m * self.tolerance_m {
-                break;
-            }
             let [gxx, gxz, gzz] = sums.gradient;
-            let jacobian = DMat2::from_cols(DVec2::new(1.0 + gxx, gxz), DVec2::new(gxz, 1.0 + gzz));
+            let gradient = DMat2::from_cols(DVec2::new(gxx, gxz), DVec2::new(gxz, gzz));
+            let jacobian = DMat2::IDENTITY + gradient;
             // Near a fold Newton's step would leap; there the plain iteration creeps.
             let step = if jacobian.determinant() > STEEPEST { jacobian.inverse() * miss } else { 0.7 * miss };
             rest_m -= step;
+            if step.length_squared() < NEAR_M * NEAR_M {
+                // So near that the surface is a plane.
+                sums.height -= sums.slope.dot(step);
+                sums.shift -= gradient * step;
+                break;
+            }
             sums = self.shape(rest_m);
         }
         sums.velocity = self.tiles.iter().map(|tile| tile.velocity(rest_m)).sum();
@@ -131,6 +131,10 @@ impl Snapshot {
 }
 
 const MOST_STEPS: usize = 24;
+
+/// The step within which a surface is a plane: to half its square times the curvature, which is below 100 per metre
+/// where waves of a centimetre break.
+const NEAR_M: f64 = 5e-4;
 
 /// The Jacobian below which the surface is all but folded.
 const STEEPEST: f64 = 0.2;
@@ -240,9 +244,16 @@ impl TileSnapshot {
     fn taps(&self, rest_m: DVec2) -> (Taps, Taps) {
         // In tiles: whole tiles drop out in f64, however far away.
         let place = rest_m / self.size_m;
-        let samples = (place - place.floor()) * self.side as f64;
+        let samples = DVec2::new(fraction(place.x), fraction(place.y)) * self.side as f64;
         (Taps::at(samples.x, self.side), Taps::at(samples.y, self.side))
     }
+}
+
+/// x − ⌊x⌋, from 0 to 1, for |x| below 2⁶³. By a cast, since a call to `floor` costs as much as a row of a grid.
+#[inline(always)]
+fn fraction(x: f64) -> f64 {
+    let toward_zero = x - x as i64 as f64;
+    if toward_zero < 0.0 { toward_zero + 1.0 } else { toward_zero }
 }
 
 /// What decides the grids of a tile: size, resolution and variance.

@@ -5,13 +5,34 @@
 //! | k | wave vector, pointing where the wave travels; `.x` east, `.y` south | rad/m |
 //! | Ψ(k) | variance density over the wave-number plane | m² per (rad/m)², that is m⁴ |
 //! | m0 | ∫∫Ψ d²k, the variance of the surface elevation | m² |
+//!
+//! Most spectra come in two factors, S(ω) and a spreading over directions:
+//!
+//! | what | where |
+//! | --- | --- |
+//! | S(ω) | [`Omnidirectional`]: [`pierson_moskowitz`], [`jonswap`], [`tma`], [`elfouhaily`] |
+//! | D(ω, θ) | [`Spreading`](crate::spreading::Spreading) |
+//! | Ψ(k) = S(ω) D(ω, θ) c_g / k | [`Directional`](directional::Directional) |
+//! | Ψ(k) as a whole | [`phillips`], [`tabulated`] |
+//!
+//! A sea state or a Beaufort number stands for heights and winds: [`sea_state`].
 
 use glam::DVec2;
 use std::f64::consts::TAU;
 
+pub mod directional;
+pub mod elfouhaily;
+pub mod jonswap;
+mod omnidirectional;
 pub mod phillips;
+pub mod pierson_moskowitz;
 mod profile;
+mod quadrature;
+pub mod sea_state;
+pub mod tabulated;
+pub mod tma;
 
+pub use omnidirectional::{FULLY_DEVELOPED_INVERSE_WAVE_AGE, Omnidirectional};
 pub use profile::Profile;
 
 /// A directional spectrum of surface waves over the wave-number plane.

@@ -1,6 +1,7 @@
 //! The laws that a spectral sea obeys, one file for each kind.
 
 mod cascades;
+mod chances;
 mod energy;
 mod fitting;
 mod geometry;

@@ -49,7 +49,7 @@ pub(crate) struct Bench {
 impl Bench {
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         // Every scene is read before the first is drawn: nobody waits for a mistake in the last.
-        let opened = self.names().into_iter().map(|name| Ok((name.clone(), whitecap_scene::open(&name)?)));
+        let opened = self.names().into_iter().map(|name| Ok((name.clone(), super::open(&name)?)));
         let scenes = opened.collect::<Result<Vec<(String, Scene)>, Failure>>()?;
         let mut stages = Stages::new(self.json);
         stages.begin("adapter");

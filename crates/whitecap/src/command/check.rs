@@ -22,7 +22,7 @@ pub(crate) struct Check {
     #[arg(required = true, value_name = "SCENE", value_hint = ValueHint::FilePath)]
     scenes: Vec<String>,
 
-    /// Print a JSON list with scene, ok and, where there is one, error
+    /// Print a JSON list with scene, ok and, where there are any, error and warnings
     #[arg(long)]
     pub(crate) json: bool,
 }
@@ -33,6 +33,8 @@ struct Verdict<'a> {
     ok: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    warnings: Vec<String>,
 }
 
 impl Check {
@@ -41,7 +43,8 @@ impl Check {
         if self.json {
             stdout::write_json(&verdicts)?;
         } else {
-            for Verdict { scene, error, .. } in &verdicts {
+            for Verdict { scene, error, warnings, .. } in &verdicts {
+                super::print_warnings(warnings);
                 match error {
                     None => stdout::write(format!("{scene}: ok\n").as_bytes())?,
                     // Nobody is left to tell if standard error is closed; the exit code still does.
@@ -55,6 +58,8 @@ impl Check {
 }
 
 fn verdict(scene: &str) -> Verdict<'_> {
-    let error = whitecap_scene::open(scene).err().map(|error| error.to_string());
-    Verdict { scene, ok: error.is_none(), error }
+    match whitecap_scene::open(scene) {
+        Ok(opened) => Verdict { scene, ok: true, error: None, warnings: opened.warnings },
+        Err(error) => Verdict { scene, ok: false, error: Some(error.to_string()), warnings: Vec::new() },
+    }
 }

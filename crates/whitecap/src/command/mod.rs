@@ -10,10 +10,13 @@ mod options;
 mod probe;
 mod render;
 mod scenes;
+mod spectrum;
 
 use crate::failure::Failure;
+use std::io::Write as _;
 use std::process::ExitCode;
 use std::time::Instant;
+use whitecap_scene::Scene;
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -38,6 +41,7 @@ pub(crate) enum Verb {
     Render(render::Render),
     Gallery(gallery::Gallery),
     Probe(probe::Probe),
+    Spectrum(spectrum::Spectrum),
     Bench(bench::Bench),
     Check(check::Check),
     Scenes(scenes::Scenes),
@@ -53,6 +57,7 @@ impl Verb {
             Verb::Render(render) => render.run(started),
             Verb::Gallery(gallery) => gallery.run(started),
             Verb::Probe(probe) => probe.run(),
+            Verb::Spectrum(spectrum) => spectrum.run(),
             Verb::Bench(bench) => bench.run(),
             Verb::Check(check) => check.run(),
             Verb::Scenes(scenes) => scenes.run(),
@@ -68,6 +73,7 @@ impl Verb {
             Verb::Render(render) => render.json,
             Verb::Gallery(gallery) => gallery.json,
             Verb::Probe(probe) => probe.json,
+            Verb::Spectrum(spectrum) => spectrum.json,
             Verb::Bench(bench) => bench.json,
             Verb::Check(check) => check.json,
             Verb::Scenes(scenes) => scenes.json,
@@ -84,5 +90,19 @@ mod tests {
     #[test]
     fn the_arguments_are_well_formed() {
         <Cli as clap::CommandFactory>::command().debug_assert();
+    }
+}
+
+/// Reads a scene, and says on standard error where its sea bends what it asks for.
+fn open(name_or_path: &str) -> Result<Scene, Failure> {
+    let scene = whitecap_scene::open(name_or_path)?;
+    print_warnings(&scene.warnings);
+    Ok(scene)
+}
+
+fn print_warnings(warnings: &[String]) {
+    for warning in warnings {
+        // Nobody is left to tell if standard error is closed.
+        let _ = writeln!(std::io::stderr(), "warning: {warning}");
     }
 }

@@ -1,10 +1,10 @@
 //! Arguments that several verbs take, and their rules.
 
 /// The moments that can be asked for; beyond them, 32-bit phases on the GPU lose their meaning.
-const MAX_TIME_S: f64 = 1e6;
+pub(super) const MAX_TIME_S: f64 = 1e6;
 
 /// How far from the origin a place can be, in metres or in the units of a texture coordinate.
-const MAX_FAR: f64 = 1e7;
+pub(super) const MAX_FAR: f64 = 1e7;
 
 /// The largest seed that a scene file can say: TOML's integers have a sign.
 pub(super) const MAX_SEED: u64 = i64::MAX as u64;
@@ -50,7 +50,7 @@ fn pair(text: &str) -> Option<Place> {
     Some([within(first, MAX_FAR)?, within(second, MAX_FAR)?])
 }
 
-fn within(text: &str, most: f64) -> Option<f64> {
+pub(super) fn within(text: &str, most: f64) -> Option<f64> {
     text.parse().ok().filter(|number: &f64| number.abs() <= most) // never true of a NaN
 }
 

@@ -68,7 +68,7 @@ impl Render {
         let mut stages = Stages::new(self.json);
         stages.begin("scene");
         let path = self.output.clone().unwrap_or_else(|| default_output(&self.scene));
-        let mut scene = whitecap_scene::open(&self.scene)?;
+        let mut scene = super::open(&self.scene)?;
         scene.seed = self.seed.unwrap_or(scene.seed);
         let file = WholeFile::plan(&path)?;
 

@@ -7,6 +7,7 @@ mod no_adapter;
 mod probe;
 mod render;
 mod scenes;
+mod spectrum;
 mod usage;
 
 use assert_cmd::Command;

@@ -2,8 +2,8 @@
 
 use crate::{json, names_in, sentence, stderr, stdout, whitecap};
 
-const VERBS: [&str; 9] =
-    ["render", "gallery", "probe", "bench", "check", "scenes", "adapters", "completions", "man"];
+const VERBS: [&str; 10] =
+    ["render", "gallery", "probe", "spectrum", "bench", "check", "scenes", "adapters", "completions", "man"];
 
 #[test]
 fn every_verb_is_listed_and_explains_itself_with_an_example() {
@@ -67,6 +67,14 @@ fn wrong_arguments_are_refused_with_what_was_found_and_what_is_accepted() {
         (&["probe", "--uv", "0.3 0.7"], &["'0.3 0.7'", "0.3,0.7"]),
         (&["probe", "--at", "0,0", "--time", "1000000.1"], &["'1000000.1'", "-1000000 to 1000000"]),
         (&["probe", "--at", "0,0", "--seed", "-1"], &["-1"]),
+        (&["probe", "--grid", "0..1/2"], &["'0..1/2'", "-50..50/101,0..20/21"]),
+        (&["probe", "--grid", "0..NaN/2,0..1/2"], &["'0..NaN/2,0..1/2'", "-10000000 to 10000000"]),
+        (&["probe", "--at", "0,0", "--times", "0..1/0"], &["'0..1/0'", "0..60/601"]),
+        (&["probe", "--at", "0,0", "--times", "0..1/2", "--time", "1"], &["--times", "cannot be used with"]),
+        (&["probe", "--at", "0,0", "--csv", "--uv", "0,0"], &["--csv", "cannot be used with"]),
+        (&["spectrum", "-o", "sea.pdf"], &["'sea.pdf'", ".svg or .png"]),
+        (&["spectrum", "-o", "svg"], &["'svg'", ".svg or .png"]),
+        (&["spectrum", "--time", "NaN"], &["'NaN'", "-1000000 to 1000000"]),
         (&["check"], &["<SCENE>"]),
         (&["scenes", "meshugah"], &["'meshugah'", "meshuggah"]),
         (&["completions", "cobol"], &["'cobol'", "bash", "fish", "zsh"]),
@@ -161,6 +169,8 @@ fn a_reader_that_leaves_early_is_no_failure() {
         "scenes --json",
         "check meshuggah",
         "probe --at 0,0",
+        "probe --grid 0..1/300,0..1/300 --csv",
+        "spectrum",
     ] {
         // The right side is gone before the left side writes.
         let (code, stderr) = code_behind("(sleep 0.3; WHITECAP) | true; exit ${PIPESTATUS[0]}", arguments);

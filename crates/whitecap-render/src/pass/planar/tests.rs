@@ -97,6 +97,7 @@ fn render(gpu: &Gpu, models: Vec<Model>, settings: PlanarSettings, views: &[View
         scene: &scene,
         shared: &shared,
         objects: &objects,
+        backend: None,
         irradiance: Vec3::ONE,
         daylight: 1.0,
         toward_sun: Vec3::Y,

@@ -6,7 +6,7 @@ use crate::geometry::TiledGrid;
 use crate::gpu::resources::{self, IndexedMesh, PipelineRequest, linear_sampler};
 use crate::shader_lib;
 use crate::surface::TileMaps;
-use crate::uniforms::{ViewSlots, sampler_entry, texture_entry};
+use crate::uniforms::{ViewSlots, sampler_entry, texture_entry, uniform_entry};
 use glam::Vec3;
 use half::f16;
 use wgpu::util::DeviceExt;
@@ -35,7 +35,6 @@ pub(super) struct GpuMeshuggah {
     pub(super) exposure: f32,
     pub(super) grazing_color: [f32; 3],
     pub(super) options: u32,
-    pub(super) lost_variance: [[f32; 4]; 3],
     pub(super) texels_per_m: [f32; 2],
     pub(super) visibility_m: f32,
     pub(super) padding: u32,
@@ -124,6 +123,7 @@ pub(super) fn group_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
             sampler_entry(4, S::FRAGMENT),
             texture_entry(5, S::FRAGMENT, d2, true),
             sampler_entry(6, S::FRAGMENT),
+            uniform_entry(7, S::VERTEX),
         ],
     })
 }
@@ -137,7 +137,9 @@ pub(super) fn bind_group(
 ) -> wgpu::BindGroup {
     let device = build.device;
     let view = |texture: &wgpu::Texture| texture.create_view(&Default::default());
-    let (displacement, slopes, normals) = (view(&maps.displacement), view(&maps.slopes), view(&maps.normals));
+    let textures = &maps.textures;
+    let [displacement, slopes, normals] =
+        [&textures.displacement, &textures.slopes, &textures.normals].map(view);
     let table = device.create_texture_with_data(
         build.queue,
         &wgpu::TextureDescriptor {
@@ -165,6 +167,7 @@ pub(super) fn bind_group(
         Sampler(&repeat),
         TextureView(&table),
         Sampler(&clamp),
+        textures.lost_variance.as_entire_binding(),
     ];
     resources::bind_group(device, "meshuggah", layout, resources)
 }

@@ -46,7 +46,7 @@ impl Meshuggah {
         let Some(model) = tiles.and_then(|tiles| tiles.into_iter().next()) else {
             return Err(wrong_sea(build));
         };
-        let maps = TileMaps::new(build.device, model, settings.tile_repeats)?;
+        let maps = TileMaps::new(build.device, build.queue, build.backend, model, settings.tile_repeats)?;
         let cells = maps.mesh_samples() as u32 * settings.tile_repeats;
         let grid = TiledGrid::new(cells, (REACH_M / maps.cell_m()) as f32);
         let slots = ViewSlots::new(build.device, "meshuggah");
@@ -74,10 +74,6 @@ impl Meshuggah {
         let uv = |size_m: f64| ((centre / size_m).fract_gl() + half_texel).as_vec2().to_array();
         let per_m = |size_m: f64| (maps.resolution() as f64 / size_m) as f32;
 
-        let mut lost_variance = [[0.0; 4]; 3];
-        for (level, &lost) in maps.lost_variance().iter().enumerate() {
-            lost_variance[level / 4][level % 4] = lost;
-        }
         let half_width = 0.5 * mesh_m;
         GpuMeshuggah {
             centre_from_eye: centre_from_eye.as_vec3().to_array(),
@@ -95,7 +91,6 @@ impl Meshuggah {
             exposure: settings.exposure as f32,
             grazing_color: settings.grazing_color.map(|c| c as f32 * self.daylight),
             options: gpu::options(settings),
-            lost_variance,
             texels_per_m: [per_m(bump_m), per_m(tile_m)],
             visibility_m: (settings.visibility_km * 1000.0) as f32,
             padding: 0,
@@ -105,7 +100,7 @@ impl Meshuggah {
 
 impl Technique for Meshuggah {
     fn prepare(&mut self, frame: &mut Frame<'_>) -> Result<(), RenderError> {
-        self.maps.update(frame.queue, frame.time_s);
+        self.maps.update(frame.queue, frame.encoder, frame.time_s);
         frame.end_of_pass("sea");
         for (i, view) in frame.views.iter().enumerate() {
             self.slots.write(frame.queue, i, &self.uniforms(view));

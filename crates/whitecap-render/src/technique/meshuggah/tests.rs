@@ -4,6 +4,7 @@ use crate::environment::Environment;
 use crate::gpu::for_tests::gpu;
 use crate::pass::Objects;
 use crate::shader_lib::{self, layout::assert_layout};
+use crate::surface::Backend;
 use crate::uniforms::Shared;
 use crate::{TargetFormat, gpu::read_buffer};
 use glam::{Vec2, Vec3};
@@ -34,7 +35,6 @@ fn rust_and_wgsl_agree_about_layout() {
             exposure,
             grazing_color,
             options,
-            lost_variance,
             texels_per_m,
             visibility_m,
         ]
@@ -50,6 +50,14 @@ struct Fixture {
 }
 
 fn with_fixture(edit: impl Fn(&mut String), test: impl Fn(&wgpu::Device, &wgpu::Queue, Fixture)) {
+    with_backend(None, edit, test);
+}
+
+fn with_backend(
+    backend: Option<Backend>,
+    edit: impl Fn(&mut String),
+    test: impl Fn(&wgpu::Device, &wgpu::Queue, Fixture),
+) {
     let Some(gpu) = gpu() else { return };
     let (device, queue) = (&gpu.device, &gpu.queue);
     let mut toml = whitecap_scene::named::find("meshuggah").unwrap().toml.to_owned();
@@ -65,6 +73,7 @@ fn with_fixture(edit: impl Fn(&mut String), test: impl Fn(&wgpu::Device, &wgpu::
         scene: &scene,
         shared: &shared,
         objects: &objects,
+        backend,
         irradiance: Vec3::ONE,
         daylight: 1.0,
         toward_sun: TOWARD_SUN,
@@ -72,6 +81,12 @@ fn with_fixture(edit: impl Fn(&mut String), test: impl Fn(&wgpu::Device, &wgpu::
 
     let technique = Meshuggah::new(&build, settings).unwrap();
     test(device, queue, Fixture { scene, shared, objects, technique });
+}
+
+fn bring_to(device: &wgpu::Device, queue: &wgpu::Queue, technique: &mut Meshuggah, time_s: f64) {
+    let mut encoder = device.create_command_encoder(&Default::default());
+    technique.maps.update(queue, &mut encoder, time_s);
+    queue.submit([encoder.finish()]);
 }
 
 fn view_from(eye_m: DVec3) -> View {
@@ -93,7 +108,8 @@ fn read_vertices(
 ) -> Vec<[[f32; 4]; 2]> {
     let Fixture { scene, shared, objects, technique } = fixture;
     let (irradiance, daylight, toward_sun) = (Vec3::ONE, 1.0, TOWARD_SUN);
-    let build = Build { device, queue, scene, shared, objects, irradiance, daylight, toward_sun };
+    let backend = None;
+    let build = Build { device, queue, scene, shared, objects, backend, irradiance, daylight, toward_sun };
     let layout = group_layout(device);
     let colors = super::gpu::water_colors(&technique.settings, Vec3::ONE, 0.3);
     let group = bind_group(&build, &layout, &technique.maps, &technique.slots, &colors);
@@ -167,47 +183,44 @@ fn drawn_vertices_equal_the_model() {
         .flat_map(|z| (-60..=60).step_by(7).map(move |x| [x as f32, z as f32]))
         .chain([[127.0, -128.0], [128.0, 128.0], [500.0, -300.0]])
         .collect();
-    with_fixture(
-        |_| {},
-        |device, queue, mut fixture| {
-            let hs = 4.0 * fixture.technique.maps.model().variance_m2().sqrt();
-            for (eye, time_s) in [
-                (DVec3::new(0.0, 4.0, 0.0), 0.0),
-                (DVec3::new(-31.7, 2.5, 811.2), 3.7),
-                (DVec3::new(1_000_123.4, 8.0, -2_000_456.7), -512.25),
-            ] {
-                fixture.technique.maps.update(queue, time_s);
-                let view = view_from(eye);
-                let vertices = read_vertices(device, queue, &fixture, &view, &grid);
-                let maps = &fixture.technique.maps;
-                let eye2 = DVec2::new(eye.x, eye.z);
-                let centre = maps.nearest_cell(eye2).as_dvec2() * maps.cell_m();
-                for ([gx, gz], [position, normal]) in grid.iter().zip(&vertices) {
-                    let rest = centre + DVec2::new(f64::from(*gx), f64::from(*gz)) * maps.cell_m();
-                    let point = maps.model().sample(rest, time_s);
-                    let share = f64::from(position[3]);
-                    let from_eye = DVec3::new(rest.x, 0.0, rest.y) - eye;
-                    let expected_share = expected_geometry(&fixture.technique, from_eye.length());
-                    assert!((share - expected_share).abs() < 1e-4, "{share} {expected_share}");
+    let compare = |device: &wgpu::Device, queue: &wgpu::Queue, mut fixture: Fixture| {
+        let hs = 4.0 * fixture.technique.maps.model().variance_m2().sqrt();
+        for (eye, time_s) in [
+            (DVec3::new(0.0, 4.0, 0.0), 0.0),
+            (DVec3::new(-31.7, 2.5, 811.2), 3.7),
+            (DVec3::new(1_000_123.4, 8.0, -2_000_456.7), -512.25),
+        ] {
+            bring_to(device, queue, &mut fixture.technique, time_s);
+            let view = view_from(eye);
+            let vertices = read_vertices(device, queue, &fixture, &view, &grid);
+            let maps = &fixture.technique.maps;
+            let eye2 = DVec2::new(eye.x, eye.z);
+            let centre = maps.nearest_cell(eye2).as_dvec2() * maps.cell_m();
+            for ([gx, gz], [position, normal]) in grid.iter().zip(&vertices) {
+                let rest = centre + DVec2::new(f64::from(*gx), f64::from(*gz)) * maps.cell_m();
+                let point = maps.model().sample(rest, time_s);
+                let share = f64::from(position[3]);
+                let from_eye = DVec3::new(rest.x, 0.0, rest.y) - eye;
+                let expected_share = expected_geometry(&fixture.technique, from_eye.length());
+                assert!((share - expected_share).abs() < 1e-4, "{share} {expected_share}");
 
-                    let flat = (from_eye.x * from_eye.x + from_eye.z * from_eye.z).sqrt();
-                    let mut expected = from_eye + share * point.displacement_m;
-                    expected.y -= whitecap_waves::optics::curvature_drop_m(flat, 6_371_000.0);
-                    let drawn = DVec3::new(position[0].into(), position[1].into(), position[2].into());
-                    // f32 relative to the eye: a thousandth of a millimetre in ten metres.
-                    let rounding = 2e-7 * from_eye.length();
-                    assert!(
-                        (drawn - expected).abs().max_element() < 1e-4 * hs + rounding,
-                        "{drawn} {expected}"
-                    );
+                let flat = (from_eye.x * from_eye.x + from_eye.z * from_eye.z).sqrt();
+                let mut expected = from_eye + share * point.displacement_m;
+                expected.y -= whitecap_waves::optics::curvature_drop_m(flat, 6_371_000.0);
+                let drawn = DVec3::new(position[0].into(), position[1].into(), position[2].into());
+                // f32 relative to the eye: a thousandth of a millimetre in ten metres.
+                let rounding = 2e-7 * from_eye.length();
+                assert!((drawn - expected).abs().max_element() < 1e-4 * hs + rounding, "{drawn} {expected}");
 
-                    let slope = -DVec2::new(point.normal.x, point.normal.z) / point.normal.y * share;
-                    let up = normals::bump_frame(slope.as_vec2()).y_axis;
-                    assert!((Vec3::new(normal[0], normal[1], normal[2]) - up).abs().max_element() < 2e-4);
-                }
+                let slope = -DVec2::new(point.normal.x, point.normal.z) / point.normal.y * share;
+                let up = normals::bump_frame(slope.as_vec2()).y_axis;
+                assert!((Vec3::new(normal[0], normal[1], normal[2]) - up).abs().max_element() < 2e-4);
             }
-        },
-    );
+        }
+    };
+    for backend in Backend::ALL {
+        with_backend(Some(backend), |_| {}, compare);
+    }
 }
 
 fn expected_geometry(technique: &Meshuggah, distance_m: f64) -> f64 {
@@ -253,7 +266,7 @@ fn a_fine_tile_is_drawn_with_a_coarser_mesh() {
     let finer = |toml: &mut String| *toml = toml.replace("resolution = 64", "resolution = 512");
     with_fixture(finer, |device, queue, mut fixture| {
         assert_eq!(fixture.technique.maps.mesh_samples(), 256);
-        fixture.technique.maps.update(queue, 1.0);
+        bring_to(device, queue, &mut fixture.technique, 1.0);
         let view = view_from(DVec3::new(5.0, 3.0, 5.0));
         let grid = [[0.0, 0.0], [-7.0, 11.0], [30.0, 2.0]];
         let maps = &fixture.technique.maps;

@@ -201,6 +201,7 @@ fn with_technique(scene: &Scene, test: impl FnOnce(&Gpu, OceanWater)) {
         scene,
         shared: &shared,
         objects: &objects,
+        backend: None,
         irradiance: Vec3::ONE,
         daylight: 1.0,
         toward_sun: Vec3::Y,

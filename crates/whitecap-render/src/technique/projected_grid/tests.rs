@@ -61,6 +61,7 @@ fn fixture(edit: impl Fn(&mut Scene), eye_m: DVec3, time_s: f64) -> Option<Fixtu
         scene: &scene,
         shared: &shared,
         objects: &objects,
+        backend: None,
         irradiance: Vec3::ONE,
         daylight: 1.0,
         toward_sun: Vec3::Y,

@@ -73,6 +73,7 @@ impl<'g> Fixture<'g> {
             scene,
             shared,
             objects,
+            backend: None,
             irradiance: Vec3::ONE,
             daylight: 1.0,
             toward_sun: TOWARD_SUN,

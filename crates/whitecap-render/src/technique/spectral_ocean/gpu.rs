@@ -116,7 +116,8 @@ pub(super) fn ocean_group(
         let maps = (0..MAX_CASCADES).filter_map(|i| tiles.get(i).or(tiles.last()));
         maps.map(|tile| map(tile).create_view(&Default::default())).collect()
     };
-    let (displacements, normals) = (views(|maps| &maps.displacement), views(|maps| &maps.normals));
+    let (displacements, normals) =
+        (views(|maps| &maps.textures.displacement), views(|maps| &maps.textures.normals));
     let repeating = linear_sampler(device, "spectral ocean", wgpu::AddressMode::Repeat);
     use wgpu::BindingResource::{Sampler, TextureView};
     let textures = displacements.iter().chain(&normals).map(TextureView);

@@ -66,7 +66,7 @@ impl SpectralOcean {
         let Some(models) = models else { return Err(wrong_sea(build)) };
         let tiles = models
             .into_iter()
-            .map(|model| TileMaps::new(build.device, model, 1))
+            .map(|model| TileMaps::new(build.device, build.queue, build.backend, model, 1))
             .collect::<Result<Vec<_>, _>>()?;
 
         // Where a processor draws, triangles are dear.
@@ -154,7 +154,7 @@ fn scattered_light(settings: &settings::SpectralOcean, irradiance: Vec3) -> Vec3
 impl Technique for SpectralOcean {
     fn prepare(&mut self, frame: &mut Frame<'_>) -> Result<(), RenderError> {
         for maps in &mut self.tiles {
-            maps.update(frame.queue, frame.time_s);
+            maps.update(frame.queue, frame.encoder, frame.time_s);
         }
         frame.end_of_pass("sea");
         self.seen.clear();

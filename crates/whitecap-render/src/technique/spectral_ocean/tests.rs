@@ -56,11 +56,20 @@ fn with_technique(scene: &Scene, test: impl FnOnce(&wgpu::Device, &wgpu::Queue, 
         scene,
         shared: &shared,
         objects: &objects,
+        backend: None,
         irradiance: Vec3::ONE,
         daylight: 1.0,
         toward_sun: Vec3::new(0.954, 0.3, 0.0),
     };
     test(device, queue, SpectralOcean::new(&build, settings).unwrap());
+}
+
+fn bring_to(device: &wgpu::Device, queue: &wgpu::Queue, technique: &mut SpectralOcean, time_s: f64) {
+    let mut encoder = device.create_command_encoder(&Default::default());
+    for maps in &mut technique.tiles {
+        maps.update(queue, &mut encoder, time_s);
+    }
+    queue.submit([encoder.finish()]);
 }
 
 fn view_from(eye_m: DVec3) -> View {
@@ -182,9 +191,7 @@ fn drawn_vertices_are_the_sum_of_the_tiles() {
                 model.evaluate(time_s, &mut tile);
                 fields.push((model.tile_size_m(), tile));
             }
-            for maps in &mut technique.tiles {
-                maps.update(queue, time_s);
-            }
+            bring_to(device, queue, &mut technique, time_s);
             let uniforms = technique.uniforms(&view);
             let (grid, rests) = some_vertices(&technique, &view);
             let drawn = read_vertices(device, queue, &technique, &view, &grid);
@@ -217,9 +224,7 @@ fn near_the_viewer_the_drawn_sea_is_the_sea() {
     let sea = scene().sea.build(scene().seed).unwrap();
     with_technique(&scene(), |device, queue, mut technique| {
         let time_s = 3.7;
-        for maps in &mut technique.tiles {
-            maps.update(queue, time_s);
-        }
+        bring_to(device, queue, &mut technique, time_s);
         let grid = [[0.0_f32; 4], [-12.0, 7.0, 0.0, 0.0], [9.0, 11.0, 0.0, 0.0], [3.0, -12.0, 0.0, 0.0]];
         let (mut sum, mut worst, mut count) = (0.0, 0.0_f64, 0.0);
         for i in 0..24 {

@@ -1,15 +1,35 @@
 //! Wave systems: each is a spectrum and where it comes from; a sea has one or several.
 
+mod asked;
+mod elfouhaily;
+mod jonswap;
+mod measured;
+mod parametric;
 mod phillips;
+mod pierson_moskowitz;
+mod spreading;
+mod tma;
+mod warnings;
+
+use std::path::PathBuf;
 
 use whitecap_waves::ParameterError;
-use whitecap_waves::spectrum::WaveSpectrum;
+use whitecap_waves::dispersion::Dispersion;
+use whitecap_waves::spectrum::{Omnidirectional, WaveSpectrum};
 
+pub use elfouhaily::ElfouhailySystem;
+pub use jonswap::JonswapSystem;
+pub use measured::{DirectionMethod, MeasuredSystem};
 pub use phillips::PhillipsSystem;
+pub use pierson_moskowitz::PiersonMoskowitzSystem;
+pub use spreading::{Spreading, SpreadingLaw};
+pub use tma::TmaSystem;
+
+use parametric::Parametric;
 
 use crate::error::SceneError;
-use crate::key::{Accepts, Kind};
-use crate::reader::ValueReader;
+use crate::key::{Accepts, Key, Kind};
+use crate::reader::{TableReader, ValueReader};
 use crate::registry::{Registered, Tag, TagDefault};
 
 /// One wave system, a table `[[sea.system]]`. It serialises as that table.
@@ -17,12 +37,29 @@ use crate::registry::{Registered, Tag, TagDefault};
 #[serde(tag = "spectrum", rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum System {
+    /// Pierson and Moskowitz's fully developed sea.
+    PiersonMoskowitz(PiersonMoskowitzSystem),
+    /// The growing sea of JONSWAP.
+    Jonswap(JonswapSystem),
+    /// The same over shallow water.
+    Tma(TmaSystem),
+    /// Elfouhaily's, with short waves and ripples.
+    Elfouhaily(ElfouhailySystem),
     /// Phillips's wind sea as Tessendorf uses it.
     Phillips(PhillipsSystem),
+    /// A measured sea: `measured` stands in place of `spectrum`.
+    #[serde(untagged)]
+    Measured(MeasuredSystem),
 }
 
 /// Every spectrum.
-pub const SPECTRA: &[Registered<System>] = &[phillips::REGISTERED];
+pub const SPECTRA: &[Registered<System>] = &[
+    pierson_moskowitz::REGISTERED,
+    jonswap::REGISTERED,
+    tma::REGISTERED,
+    elfouhaily::REGISTERED,
+    phillips::REGISTERED,
+];
 
 pub(crate) const TAG: Tag<System> = Tag {
     key: "spectrum",
@@ -32,12 +69,108 @@ pub(crate) const TAG: Tag<System> = Tag {
     all: SPECTRA,
 };
 
+/// The key that a measured system has in place of [`TAG`].
+pub(crate) const MEASURED: &str = "measured";
+
+/// The keys of a measured system.
+pub(crate) const MEASURED_KEYS: fn() -> Vec<Key> = MeasuredSystem::keys;
+
 impl System {
-    pub(super) fn build(&self) -> Result<Box<dyn WaveSpectrum>, ParameterError> {
-        match self {
-            Self::Phillips(system) => system.build(),
+    /// The spectrum of its waves on water with this dispersion; `table` is what errors call this system, such as
+    /// `sea.system[0]`. A measured system reads its file.
+    ///
+    /// # Errors
+    ///
+    /// If the settings contradict each other or the water, such as a spectrum of shallow water over deep water, or
+    /// the file of a measured system cannot be used.
+    pub fn build(&self, table: &str, dispersion: &Dispersion) -> Result<Box<dyn WaveSpectrum>, SceneError> {
+        let spectrum = match self.form() {
+            Form::Parametric(system) => parametric::build(system, dispersion),
+            Form::Phillips(system) => system.build(),
+            Form::Measured(system) => return system.build(table, dispersion),
+        };
+        spectrum.map_err(|error| problem(table, &error))
+    }
+
+    /// Its energy over frequency; `None` for spectra that are known over wave vectors only.
+    ///
+    /// # Errors
+    ///
+    /// As [`build`](Self::build).
+    pub fn omnidirectional(
+        &self,
+        dispersion: &Dispersion,
+    ) -> Result<Option<Box<dyn Omnidirectional>>, ParameterError> {
+        match self.form() {
+            Form::Parametric(system) => system.sea(dispersion).map(Some),
+            Form::Phillips(_) | Form::Measured(_) => Ok(None),
         }
     }
+
+    /// What of it can be drawn but is not found at sea, in sentences without a full stop; empty for a usual sea
+    /// and for one that cannot be built.
+    pub fn warnings(&self, dispersion: &Dispersion) -> Vec<String> {
+        match self.form() {
+            Form::Parametric(system) => system.sea(dispersion).map_or_else(
+                |_| Vec::new(),
+                |sea| {
+                    let (height_m, period_s) = (sea.significant_height_m(), sea.peak_period_s());
+                    warnings::about(&system.asked(), height_m, period_s, system.gamma(), dispersion)
+                },
+            ),
+            Form::Phillips(system) => system.warnings(dispersion),
+            // What was measured was there.
+            Form::Measured(_) => Vec::new(),
+        }
+    }
+
+    fn form(&self) -> Form<'_> {
+        match self {
+            Self::PiersonMoskowitz(system) => Form::Parametric(system),
+            Self::Jonswap(system) => Form::Parametric(system),
+            Self::Tma(system) => Form::Parametric(system),
+            Self::Elfouhaily(system) => Form::Parametric(system),
+            Self::Phillips(system) => Form::Phillips(system),
+            Self::Measured(system) => Form::Measured(system),
+        }
+    }
+
+    /// The file that it is read from, if it is.
+    pub(crate) fn file_mut(&mut self) -> Option<&mut PathBuf> {
+        match self {
+            Self::Measured(system) => Some(&mut system.measured),
+            _ => None,
+        }
+    }
+
+    fn read(table: &TableReader<'_>) -> Result<Self, SceneError> {
+        if table.has(MEASURED) {
+            return MeasuredSystem::read_checked(table).map(Self::Measured);
+        }
+        table.tagged(&TAG)
+    }
+}
+
+/// A spectrum's own complaint, under the key that it is about.
+fn problem(table: &str, error: &ParameterError) -> SceneError {
+    match error {
+        ParameterError::OutOfRange { field, value, accepted } => SceneError::about_key(
+            format!("{table}.{field}"),
+            format!("{value} is out of range for this sea; accepted: {accepted}"),
+        ),
+        ParameterError::NeedsDepth => SceneError::about_key("sea.depth_m", error.to_string()),
+        _ => SceneError::about_key(table, error.to_string()),
+    }
+}
+
+/// What a system's spectrum is made of.
+enum Form<'a> {
+    /// Energy over frequency and a spread.
+    Parametric(&'a dyn Parametric),
+    /// Phillips's, over wave vectors.
+    Phillips(&'a PhillipsSystem),
+    /// Read from a file, over frequency and direction.
+    Measured(&'a MeasuredSystem),
 }
 
 /// One to eight wave systems.
@@ -60,6 +193,6 @@ impl Kind for Systems {
         if !(1..=Self::MAX).contains(&systems.len()) {
             return Err(value.error(format!("found {}; accepted: {}", systems.len(), self.accepts())));
         }
-        systems.into_iter().map(|system| system.table()?.tagged(&TAG)).collect()
+        systems.into_iter().map(|system| System::read(&system.table()?)).collect()
     }
 }

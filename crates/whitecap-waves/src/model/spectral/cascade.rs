@@ -77,13 +77,7 @@ impl Cascade {
     ///
     /// Lengths are in a ratio that has no small whole multiple, so that the sum of tiles shows no repeat.
     pub fn plan<S: WaveSpectrum>(systems: &[S], budget: CascadeBudget) -> Vec<Self> {
-        let total: f64 = systems.iter().map(WaveSpectrum::variance_m2).sum();
-        let counts = systems.iter().filter(|system| system.variance_m2() > LEAST_SHARE * total);
-        let longest = counts.map(|system| TAU / Profile::of(system).peak_wave_number()).fold(0.0, f64::max);
-        // A flat sea has no peak.
-        let by_the_peak = if longest > 0.0 { (PEAK_WAVELENGTHS * longest).ceil() } else { 100.0 };
-        let first = budget.tile_size_m.unwrap_or(by_the_peak);
-
+        let first = budget.tile_size_m.unwrap_or_else(|| by_the_peak(systems));
         let n = budget.resolution;
         let waves_per_tile = n as f64 / SAMPLES_PER_WAVE;
         let span = (first / (waves_per_tile * budget.shortest_wave_m)).max(1.0);
@@ -98,6 +92,15 @@ impl Cascade {
         let tiles: Vec<_> = (0..count).map(|i| (first / ratio.powi(i as i32), n)).collect();
         Self::split(&tiles)
     }
+}
+
+/// The side in metres of a tile for the longest of these systems.
+fn by_the_peak<S: WaveSpectrum>(systems: &[S]) -> f64 {
+    let total: f64 = systems.iter().map(WaveSpectrum::variance_m2).sum();
+    let counts = systems.iter().filter(|system| system.variance_m2() > LEAST_SHARE * total);
+    let longest = counts.map(|system| TAU / Profile::of(system).peak_wave_number()).fold(0.0, f64::max);
+    // A flat sea has no peak.
+    if longest > 0.0 { (PEAK_WAVELENGTHS * longest).ceil() } else { 100.0 }
 }
 
 #[cfg(test)]

@@ -30,7 +30,7 @@ use super::WaveSpectrum;
 use crate::GRAVITY_MPS2;
 use crate::error::{ParameterError, check};
 use glam::DVec2;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 #[cfg(test)]
 mod tests;
@@ -108,6 +108,15 @@ impl Phillips {
         const BETA: f64 = 0.74;
         2.0 * (ALPHA / BETA).sqrt() * wind_speed_mps * wind_speed_mps / GRAVITY_MPS2
     }
+
+    /// The wind in m/s whose Phillips sea has the peak period `peak_period_s`, for a sea that is asked for by height
+    /// and period.
+    ///
+    /// Over frequencies in deep water, k⁻⁴ exp(−1/(kL)²) k dk = 2 g² ω⁻⁵ exp(−(g/(Uω))⁴) dω, the form of Pierson
+    /// and Moskowitz with β = 1. Its peak is at ωp = (4/5)^¼ g/U.
+    pub fn wind_of_peak_period_mps(peak_period_s: f64) -> f64 {
+        0.8_f64.sqrt().sqrt() * GRAVITY_MPS2 * peak_period_s / TAU
+    }
 }
 
 impl WaveSpectrum for Phillips {
@@ -126,6 +135,14 @@ impl WaveSpectrum for Phillips {
 
     fn variance_m2(&self) -> f64 {
         self.variance_m2
+    }
+
+    fn omnidirectional_m3(&self, k: f64) -> f64 {
+        // cos² has the mean ½ over each half plane.
+        let around = FRAC_PI_2 * (1.0 + self.opposing_energy);
+        let scale2 = self.length_scale_m * self.length_scale_m;
+        let damping2 = self.small_wave_cutoff_m * self.small_wave_cutoff_m;
+        self.amplitude * libm::exp(-1.0 / (k * k * scale2) - k * k * damping2) / (k * k * k) * around
     }
 }
 

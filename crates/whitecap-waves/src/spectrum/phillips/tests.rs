@@ -39,6 +39,21 @@ fn fully_developed_heights() {
     }
 }
 
+/// The peak of S(ω) = Ψ k/c_g along the wind, found by search, has the period that was asked for.
+#[test]
+fn the_wind_of_a_peak_period() {
+    for period in [3.0, 8.0, 14.0] {
+        let spectrum = Phillips::new(west_wind(Phillips::wind_of_peak_period_mps(period))).unwrap();
+        let density = |omega: f64| {
+            let k = omega * omega / GRAVITY_MPS2;
+            spectrum.density_m4(DVec2::new(k, 0.0)) * k * 2.0 * omega / GRAVITY_MPS2
+        };
+        let periods = (1..40_000).map(|i| f64::from(i) * 1e-3);
+        let peak = periods.max_by(|a, b| density(TAU / a).total_cmp(&density(TAU / b))).unwrap();
+        assert!((peak - period).abs() < 2e-3, "{peak}");
+    }
+}
+
 #[test]
 fn the_plane_holds_the_requested_variance() {
     for (opposing_energy, cutoff) in [(0.0, 0.0), (0.3, 0.0), (1.0, 0.0), (0.0, 0.05), (0.5, 1.0), (1.0, 9.0)]
@@ -135,5 +150,28 @@ proptest! {
             PhillipsParameters { toward: toward_from_nautical(from_deg), opposing_energy: b, ..west_wind(wind) };
         let density = Phillips::new(parameters).unwrap().density_m4(DVec2::new(x, z));
         prop_assert!(density.is_finite() && density >= 0.0);
+    }
+}
+
+#[test]
+fn the_density_over_wave_number_is_that_over_all_directions() {
+    let spectrum = Phillips::new(PhillipsParameters {
+        wind_speed_mps: 7.0,
+        toward: DVec2::from_angle(0.3),
+        significant_height_m: Some(1.5),
+        opposing_energy: 0.4,
+        small_wave_cutoff_m: 0.2,
+    })
+    .unwrap();
+    for k in [0.1, 0.5, 4.0] {
+        let directions = 3600;
+        let density = |i: i32| {
+            spectrum.density_m4(
+                k * DVec2::from_angle(std::f64::consts::TAU * f64::from(i) / f64::from(directions)),
+            )
+        };
+        let sum =
+            (0..directions).map(density).sum::<f64>() * std::f64::consts::TAU / f64::from(directions) * k;
+        assert!((spectrum.omnidirectional_m3(k) / sum - 1.0).abs() < 1e-6);
     }
 }

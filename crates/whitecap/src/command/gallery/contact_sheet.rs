@@ -1,15 +1,14 @@
 //! All pictures on one, small and with their names.
 
 use super::Exhibit;
+use crate::sheet::Sheet;
 use embedded_graphics::Drawable;
-use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics::geometry::Point;
 use embedded_graphics::mono_font::MonoTextStyle;
 use embedded_graphics::mono_font::ascii::FONT_9X15;
-use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::text::{Baseline, Text};
 use image::{Rgba, RgbaImage, imageops};
-use std::convert::Infallible;
 use whitecap_render::picture::Picture;
 
 /// The longest side of a thumbnail, pixels.
@@ -60,34 +59,6 @@ fn thumbnail(picture: &Picture) -> RgbaImage {
     }
     let shrunk = |side: u32| ((u64::from(side) * u64::from(LONGEST) / u64::from(longest)) as u32).max(1);
     imageops::thumbnail(&whole, shrunk(width), shrunk(height))
-}
-
-/// A picture that letters can be drawn on.
-struct Sheet<'a>(&'a mut RgbaImage);
-
-impl OriginDimensions for Sheet<'_> {
-    fn size(&self) -> Size {
-        Size::new(self.0.width(), self.0.height())
-    }
-}
-
-impl DrawTarget for Sheet<'_> {
-    type Color = Rgb888;
-    type Error = Infallible;
-
-    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
-    where
-        I: IntoIterator<Item = embedded_graphics::Pixel<Rgb888>>,
-    {
-        for embedded_graphics::Pixel(Point { x, y }, color) in pixels {
-            if let (Ok(x), Ok(y)) = (u32::try_from(x), u32::try_from(y))
-                && let Some(pixel) = self.0.get_pixel_mut_checked(x, y)
-            {
-                *pixel = Rgba([color.r(), color.g(), color.b(), 255]);
-            }
-        }
-        Ok(())
-    }
 }
 
 #[cfg(test)]

@@ -77,6 +77,7 @@ fn drawn(
         scene: &scene,
         shared: &shared,
         objects: &objects,
+        backend: None,
         irradiance: Vec3::ONE,
         daylight: 1.0,
         toward_sun: Vec3::Y,

@@ -1,11 +1,4 @@
-//! What a surface turned out to be: the moments of a field and the heights they stand for.
-//!
-//! | symbol | meaning | unit (for a height field) |
-//! | --- | --- | --- |
-//! | m0 | zeroth moment of the spectrum, the variance of the surface | m² |
-//! | Hs | significant wave height, 4√m0 | m |
-//!
-//! A linear sea is Gaussian: skewness 0, kurtosis 3.
+//! The moments of a field of numbers.
 
 /// The first four moments of a field, with every sample weighted alike.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,15 +57,10 @@ pub fn kurtosis(field: &[f32]) -> f64 {
     Moments::of(field).kurtosis
 }
 
-/// Hs = 4√m0 in metres, for a surface variance `m0` in m² (the definition of H_m0; equal to the mean of the
-/// highest third of the waves of a narrow-banded sea within 0.1 %, Longuet-Higgins 1952).
-pub fn significant_height_m(m0: f64) -> f64 {
-    4.0 * m0.sqrt()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::statistics::significant_height_m;
     use proptest::prelude::*;
 
     /// A whole number of periods of a sine: variance ½, no skew, kurtosis 3/2.

@@ -1,0 +1,139 @@
+//! Real-time spectral wave data: a value and its frequency in turn, newest record first; directions in four
+//! more files of the same form.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use whitecap_waves::spectrum::tabulated::DirectionalMoments;
+
+use super::super::sea::toward_rad;
+use super::super::{Energy, Format, MeasuredError, MeasuredProblem, MeasuredSea, Text, Time};
+use super::{DENSITY, energy, place, time, value};
+
+/// The extensions of the files of directions: α₁, α₂ (degrees that waves come from), r₁, r₂.
+pub(in super::super) const COMPANIONS: [&str; 4] = ["swdir", "swdir2", "swr1", "swr2"];
+
+/// Whether a file with this first line is one of densities.
+pub(in super::super) fn is_real_time(first_line: &str) -> bool {
+    first_line.trim_start().starts_with('#') && first_line.contains("spec_1")
+}
+
+/// Whether a file with this first line is one of directions.
+pub(in super::super) fn names_directions(first_line: &str) -> bool {
+    let names = ["alpha1_1", "alpha2_1", "r1_1", "r2_1"];
+    first_line.trim_start().starts_with('#') && names.iter().any(|name| first_line.contains(name))
+}
+
+/// A line: its time, frequencies, and values where they are not missing.
+struct Row {
+    time: Time,
+    frequencies_hz: Vec<f64>,
+    values: Vec<Option<f64>>,
+}
+
+/// Reads every record, with its directions from the bytes of the four [`COMPANIONS`] if there are any.
+pub(in super::super) fn read(
+    bytes: &[u8],
+    name: &str,
+    companions: Option<[(&[u8], &str); 4]>,
+) -> Result<Vec<MeasuredSea>, MeasuredError> {
+    let mut text = Text::new(bytes, name)?;
+    let directions = companions.map(read_companions).transpose()?;
+    let place = Arc::new(place(name));
+    let mut frequencies_hz: Arc<[f64]> = Arc::new([]);
+    let mut seas = Vec::new();
+    while let Some(row) = row(&mut text, DENSITY)? {
+        text.points(Some(&row.frequencies_hz.len().to_string()), "frequencies", 2)?;
+        text.ascending(&row.frequencies_hz)?;
+        if *row.frequencies_hz != *frequencies_hz {
+            frequencies_hz = row.frequencies_hz.into();
+        }
+        let mut energy = energy(&text, row.values)?;
+        if let (Energy::Omnidirectional { density }, Some(directions)) = (&mut energy, &directions) {
+            let moments: Vec<_> = frequencies_hz.iter().map(|hz| directions.moments(row.time, *hz)).collect();
+            if moments.iter().any(Option::is_some) {
+                energy = Energy::Moments { density: std::mem::take(density), moments };
+            }
+        }
+        let sea = MeasuredSea {
+            source: Format::NdbcRealTime,
+            place: Arc::clone(&place),
+            time: Some(row.time),
+            frequencies_hz: Arc::clone(&frequencies_hz),
+            energy,
+        };
+        text.push(&mut seas, sea)?;
+    }
+    if seas.is_empty() { Err(text.error(MeasuredProblem::NoRecord)) } else { Ok(seas) }
+}
+
+/// α₁, α₂, r₁ and r₂ of every time: frequencies in units of 10⁻⁴ Hz, and values.
+struct Companions([BTreeMap<Time, BTreeMap<u32, f64>>; 4]);
+
+impl Companions {
+    fn moments(&self, time: Time, hz: f64) -> Option<DirectionalMoments> {
+        let [mean_deg, principal_deg, r1, r2] =
+            self.0.each_ref().map(|file| file.get(&time)?.get(&key(hz)).copied());
+        Some(DirectionalMoments {
+            r1: r1?,
+            mean_toward_rad: toward_rad(mean_deg?),
+            r2: r2?,
+            principal_toward_rad: toward_rad(principal_deg?),
+        })
+    }
+}
+
+fn key(hz: f64) -> u32 {
+    (hz * 1e4).round() as u32
+}
+
+fn read_companions(files: [(&[u8], &str); 4]) -> Result<Companions, MeasuredError> {
+    const ACCEPTED: [(&str, f64, f64); 2] = [
+        ("a bearing from 0 to 360, or MM or 999 where it is missing", 0.0, 360.0),
+        ("a number from 0 to 1, or MM or 999 where it is missing", 0.0, 1.0),
+    ];
+    let mut read: [BTreeMap<Time, BTreeMap<u32, f64>>; 4] = Default::default();
+    for (i, ((bytes, name), times)) in files.into_iter().zip(&mut read).enumerate() {
+        let (accepted, least, most) = ACCEPTED[i / 2];
+        let mut text = Text::new(bytes, name)?;
+        while let Some(row) = row(&mut text, accepted)? {
+            let values = times.entry(row.time).or_default();
+            for (hz, value) in row.frequencies_hz.into_iter().zip(row.values) {
+                let Some(value) = value else { continue };
+                if !(least..=most).contains(&value) {
+                    return Err(text.unexpected(&value.to_string(), accepted));
+                }
+                values.insert(key(hz), value);
+            }
+        }
+    }
+    Ok(Companions(read))
+}
+
+/// The next line that is no comment.
+fn row(text: &mut Text<'_>, accepted: &'static str) -> Result<Option<Row>, MeasuredError> {
+    let line = loop {
+        match text.next() {
+            Some(line) if line.trim_start().starts_with('#') => {}
+            Some(line) => break line,
+            None => return Ok(None),
+        }
+    };
+    let mut words = line.split_whitespace();
+    let time = time(text, &mut words, true)?;
+    let mut words: Vec<_> = words.collect();
+    // The separation frequency between swell and wind sea, in files of densities.
+    if words.len() % 2 == 1 {
+        let separation = words.remove(0);
+        value(text, separation, "the separation frequency, then densities and their frequencies")?;
+    }
+    let mut row = Row { time, frequencies_hz: Vec::new(), values: Vec::new() };
+    for pair in words.chunks_exact(2) {
+        const FREQUENCY: &str = "a frequency in brackets after each value";
+        let inside = pair[1].strip_prefix('(').and_then(|word| word.strip_suffix(')'));
+        let inside = inside.ok_or_else(|| text.unexpected(pair[1], FREQUENCY))?;
+        row.values.push(value(text, pair[0], accepted)?);
+        row.frequencies_hz.push(text.number(inside, FREQUENCY)?);
+    }
+    Ok(Some(row))
+}

@@ -1,0 +1,227 @@
+//! One record of a measured sea, whatever format it came in, and the spectrum that it makes.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+use std::fmt;
+use std::sync::Arc;
+
+use whitecap_waves::dispersion::Dispersion;
+use whitecap_waves::spectrum::tabulated::{
+    DirectionMethod, DirectionalMoments, Tabulated, TabulatedParameters, cos2s_distribution, even_directions,
+    sampled,
+};
+
+use super::{MeasuredProblem, Time, quadrature};
+
+/// How many directions a spectrum gets that is made from moments: every 2°.
+const DIRECTIONS: usize = 180;
+
+/// The exponent of cos^{2s}(θ/2) for a file without directions: Goda and Suzuki (1975) for wind waves.
+pub(crate) const DEFAULT_COS2S: f64 = 10.0;
+
+/// What a file is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Format {
+    /// NDBC real-time spectral wave data: `.data_spec`, and `.swdir .swdir2 .swr1 .swr2` beside it.
+    NdbcRealTime,
+    /// NDBC historical spectral wave density: one file for a year.
+    NdbcHistory,
+    /// WAVEWATCH III point output of spectra.
+    WaveWatch3,
+    /// SWAN standard spectral file, version 1.
+    Swan,
+}
+
+/// Where a record was taken.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    /// Which of the file's places it is, from 1.
+    pub number: usize,
+    /// Its name, if the file has names.
+    pub name: Option<String>,
+    /// Where it is, as the file says: longitude and latitude in degrees, or x and y in metres.
+    pub coordinates: Option<[f64; 2]>,
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (&self.name, self.coordinates) {
+            (Some(name), _) => write!(f, "{name:?}"),
+            (None, Some([x, y])) => write!(f, "\"{}\" at ({x}, {y})", self.number),
+            (None, None) => write!(f, "\"{}\"", self.number),
+        }
+    }
+}
+
+/// One record: the waves of one place at one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeasuredSea {
+    /// What the file is.
+    pub source: Format,
+    /// Where it was taken.
+    pub place: Arc<Place>,
+    /// When, if the file says so.
+    pub time: Option<Time>,
+    /// The frequencies in Hz, ascending.
+    pub frequencies_hz: Arc<[f64]>,
+    /// The waves.
+    pub energy: Energy,
+}
+
+/// What a record says of the waves.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Energy {
+    /// Nothing: every value is missing.
+    Missing,
+    /// That there are none.
+    Calm,
+    /// How much energy each frequency has, but not its direction.
+    Omnidirectional {
+        /// S(f) in m²/Hz for each frequency.
+        density: Vec<f64>,
+    },
+    /// The energy of each frequency and the first moments of its directions.
+    Moments {
+        /// S(f) in m²/Hz for each frequency.
+        density: Vec<f64>,
+        /// The directions of each frequency, where they are known; at least one is.
+        moments: Vec<Option<DirectionalMoments>>,
+    },
+    /// The energy of each frequency and direction.
+    Directional {
+        /// The directions of travel in radians from east towards south.
+        toward_rad: Arc<[f64]>,
+        /// E(f, θ) in m²/(Hz rad): for each frequency its directions.
+        density: Vec<f64>,
+    },
+}
+
+/// What the scene says of directions.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Directions {
+    /// How directions are made from moments; `None` for maximum entropy.
+    pub method: Option<DirectionMethod>,
+    /// The bearing in degrees that the waves of a file without directions come from.
+    pub from_deg: Option<f64>,
+    /// Their spreading, the s of cos^{2s}(θ/2); `None` for 10.
+    pub cos2s: Option<f64>,
+}
+
+impl MeasuredSea {
+    /// m0 in m² by the sum that the format's makers take themselves: Hs is 4√m0 of it. 0 without waves.
+    ///
+    /// NDBC takes each value for the whole of its band. WAVEWATCH III takes the trapezoidal rule in
+    /// frequency and equal steps in direction, SWAN equal steps of direction and of the logarithm of
+    /// frequency, without its tail.
+    pub fn variance_m2(&self) -> f64 {
+        let widths = match self.source {
+            Format::NdbcRealTime | Format::NdbcHistory => quadrature::bands(&self.frequencies_hz),
+            Format::WaveWatch3 => quadrature::trapezoids(&self.frequencies_hz),
+            Format::Swan => quadrature::log_bands(&self.frequencies_hz),
+        };
+        let sum = |density: &[f64]| density.iter().zip(&widths).map(|(s, width)| s * width).sum();
+        match &self.energy {
+            Energy::Missing | Energy::Calm => 0.0,
+            Energy::Omnidirectional { density } | Energy::Moments { density, .. } => sum(density),
+            Energy::Directional { toward_rad, density } => {
+                let step = quadrature::direction_step(toward_rad);
+                let of_frequency = |row: &[f64]| row.iter().sum::<f64>() * step;
+                sum(&density.chunks_exact(toward_rad.len().max(1)).map(of_frequency).collect::<Vec<_>>())
+            }
+        }
+    }
+
+    /// The directional spectrum over water with this dispersion.
+    ///
+    /// A frequency whose directions are missing takes those of the nearest frequency that has them.
+    ///
+    /// # Errors
+    ///
+    /// If the record is without waves, if `directions` says what the file says, or does not say what it must.
+    pub fn spectrum(
+        &self,
+        directions: &Directions,
+        water: &Dispersion,
+    ) -> Result<Tabulated, MeasuredProblem> {
+        let Directions { method, from_deg, cos2s } = *directions;
+        let parameters = match &self.energy {
+            Energy::Missing => return Err(self.without_waves("every value is missing")),
+            Energy::Calm => return Err(self.without_waves("every value is 0")),
+            Energy::Omnidirectional { density } => {
+                let from_deg = from_deg.ok_or(MeasuredProblem::NoDirections)?;
+                if method.is_some() {
+                    return Err(MeasuredProblem::NoMoments);
+                }
+                let shape = cos2s_distribution(cos2s.unwrap_or(DEFAULT_COS2S), toward_rad(from_deg));
+                let shape = sampled(shape, DIRECTIONS);
+                self.spread(density, |_| shape.clone())
+            }
+            Energy::Moments { density, moments } => {
+                has_none("from_deg", from_deg.is_some())?;
+                has_none("cos2s", cos2s.is_some())?;
+                let method = method.unwrap_or_default();
+                let known = nearest_known(&self.frequencies_hz, moments);
+                self.spread(density, |i| sampled(known[i].distribution(method), DIRECTIONS))
+            }
+            Energy::Directional { toward_rad, density } => {
+                has_none("from_deg", from_deg.is_some())?;
+                has_none("cos2s", cos2s.is_some())?;
+                has_none("direction_method", method.is_some())?;
+                let (toward_rad, density) = quadrature::with_closed_sector(toward_rad, density);
+                TabulatedParameters { frequencies_hz: self.frequencies_hz.to_vec(), toward_rad, density }
+            }
+        };
+        Tabulated::new(parameters, water).map_err(MeasuredProblem::NoSpectrum)
+    }
+
+    /// Whether there is anything to be seen.
+    pub fn has_waves(&self) -> bool {
+        !matches!(self.energy, Energy::Missing | Energy::Calm)
+    }
+
+    fn without_waves(&self, why: &'static str) -> MeasuredProblem {
+        let which = match self.time {
+            Some(time) => format!("the record of {time} is"),
+            None => "the record is".to_owned(),
+        };
+        MeasuredProblem::NoWaves { which, why }
+    }
+
+    fn spread(&self, density: &[f64], shape: impl Fn(usize) -> Vec<f64>) -> TabulatedParameters {
+        let rows = density.iter().enumerate().flat_map(|(i, s)| {
+            let row = if *s > 0.0 { shape(i) } else { vec![0.0; DIRECTIONS] };
+            row.into_iter().map(move |d| s * d)
+        });
+        TabulatedParameters {
+            density: rows.collect(),
+            frequencies_hz: self.frequencies_hz.to_vec(),
+            toward_rad: even_directions(DIRECTIONS),
+        }
+    }
+}
+
+fn has_none(key: &'static str, is_there: bool) -> Result<(), MeasuredProblem> {
+    if is_there { Err(MeasuredProblem::HasDirections { key }) } else { Ok(()) }
+}
+
+/// The moments of each frequency, or of the nearest that has them.
+fn nearest_known(frequencies_hz: &[f64], moments: &[Option<DirectionalMoments>]) -> Vec<DirectionalMoments> {
+    let known: Vec<_> =
+        frequencies_hz.iter().zip(moments).filter_map(|(hz, moments)| Some((*hz, (*moments)?))).collect();
+    let nearest = |hz: f64| {
+        let by_distance = |a: &&(f64, DirectionalMoments), b: &&(f64, DirectionalMoments)| {
+            (a.0 - hz).abs().total_cmp(&(b.0 - hz).abs())
+        };
+        let no_direction =
+            DirectionalMoments { r1: 0.0, mean_toward_rad: 0.0, r2: 0.0, principal_toward_rad: 0.0 };
+        known.iter().min_by(by_distance).map_or(no_direction, |known| known.1)
+    };
+    frequencies_hz.iter().map(|hz| nearest(*hz)).collect()
+}
+
+/// The direction of travel, in radians from east towards south, of waves from a bearing in degrees clockwise
+/// from north: from north they go south, a quarter turn from east.
+pub(super) fn toward_rad(from_deg: f64) -> f64 {
+    ((from_deg % 360.0).to_radians() + FRAC_PI_2) % TAU
+}

@@ -1,0 +1,104 @@
+//! The table of one place at one time.
+
+use std::sync::Arc;
+
+use whitecap_waves::spectrum::tabulated::DirectionalMoments;
+
+use super::super::{Energy, MeasuredError, Text};
+use super::header::{Header, Quantity};
+use super::{expect, first};
+
+/// Reads the table that comes next.
+pub(super) fn read(text: &mut Text<'_>, header: &Header) -> Result<Energy, MeasuredError> {
+    const WANTED: [&str; 2] = ["LOCATION, ZERO or NODATA", "FACTOR, ZERO or NODATA"];
+    let wanted = WANTED[usize::from(header.toward_rad.is_some())];
+    let line = expect(text, wanted)?;
+    match (first(line), &header.toward_rad) {
+        ("ZERO", _) => Ok(Energy::Calm),
+        ("NODATA", _) => Ok(Energy::Missing),
+        ("FACTOR", Some(toward_rad)) => directional(text, header, toward_rad),
+        ("LOCATION", None) => means(text, header),
+        _ => Err(text.unexpected(line, wanted)),
+    }
+}
+
+fn directional(
+    text: &mut Text<'_>,
+    header: &Header,
+    toward_rad: &Arc<[f64]>,
+) -> Result<Energy, MeasuredError> {
+    let scale = text.first_number("the factor")?;
+    let count = header.frequencies_hz.len() * toward_rad.len();
+    let mut density = text.numbers(count, "densities, as integers")?;
+    let [(Quantity::Density { factor }, exception)] = header.quantities[..] else {
+        return Ok(Energy::Missing); // the header lets nothing else through
+    };
+    let missing = |value: f64| is_exception(value, exception);
+    if density.iter().all(|value| missing(*value)) {
+        return Ok(Energy::Missing);
+    }
+    for value in &mut density {
+        *value = if missing(*value) { 0.0 } else { *value * scale * factor };
+        check(text, *value)?;
+    }
+    if density.iter().all(|value| *value == 0.0) {
+        return Ok(Energy::Calm);
+    }
+    Ok(Energy::Directional { toward_rad: Arc::clone(toward_rad), density })
+}
+
+/// A line for each frequency, a column for each quantity.
+fn means(text: &mut Text<'_>, header: &Header) -> Result<Energy, MeasuredError> {
+    let (mut density, mut moments) = (Vec::new(), Vec::new());
+    let mut is_missing = true;
+    for _ in 0..header.frequencies_hz.len() {
+        let row = text.numbers(header.quantities.len(), "the quantities of a frequency")?;
+        let (mut of_row, mut mean, mut spread_deg) = (0.0, None, None);
+        for (value, (quantity, exception)) in row.into_iter().zip(&header.quantities) {
+            if is_exception(value, *exception) {
+                continue;
+            }
+            match quantity {
+                Quantity::Density { factor } => {
+                    of_row = value * factor;
+                    is_missing = false;
+                    check(text, of_row)?;
+                }
+                Quantity::Mean(bearing) => mean = Some(bearing.toward_rad(value)),
+                Quantity::Spread => spread_deg = Some(value),
+                Quantity::Other => {}
+            }
+        }
+        density.push(of_row);
+        moments.push(mean.zip(spread_deg).map(|(mean, spread_deg)| moments_of(mean, spread_deg)));
+    }
+    if is_missing {
+        return Ok(Energy::Missing);
+    }
+    if density.iter().all(|value| *value == 0.0) {
+        return Ok(Energy::Calm);
+    }
+    if moments.iter().all(Option::is_none) {
+        return Ok(Energy::Omnidirectional { density });
+    }
+    Ok(Energy::Moments { density, moments })
+}
+
+/// The moments of cos^{2s} with this spread σ: r₁ = 1 − σ²/2 (Kuik, van Vledder and Holthuijsen, 1988), s =
+/// r₁/(1 − r₁).
+fn moments_of(mean_toward_rad: f64, spread_deg: f64) -> DirectionalMoments {
+    let spread = spread_deg.to_radians();
+    let r1 = (1.0 - 0.5 * spread * spread).clamp(0.0, DirectionalMoments::LARGEST_R1);
+    DirectionalMoments::of_cos2s(r1 / (1.0 - r1), mean_toward_rad)
+}
+
+fn is_exception(value: f64, exception: f64) -> bool {
+    (value - exception).abs() <= 1e-6 * exception.abs()
+}
+
+fn check(text: &Text<'_>, density: f64) -> Result<(), MeasuredError> {
+    if (0.0..=1e7).contains(&density) {
+        return Ok(());
+    }
+    Err(text.unexpected(&density.to_string(), "a density from 0 to 10000000 m²/(Hz rad)"))
+}

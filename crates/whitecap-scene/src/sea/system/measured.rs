@@ -1,0 +1,109 @@
+//! A wave system that somebody measured: [`crate::measured`] reads the file itself.
+
+use std::path::PathBuf;
+
+use whitecap_waves::dispersion::Dispersion;
+use whitecap_waves::spectrum::WaveSpectrum;
+use whitecap_waves::spectrum::tabulated;
+
+use crate::error::SceneError;
+use crate::key::{Count, File, Moment, Name, OneOf, Real, optional, required, table, words};
+use crate::measured::{self, Directions, MeasuredProblem, MeasuredSea, Selection, Time, When};
+use crate::reader::TableReader;
+
+words! {
+    /// How directions are made from the moments that a buoy measures.
+    pub enum DirectionMethod {
+        /// Maximum entropy (Lygre and Krogstad, 1986): has exactly the moments that were measured.
+        MaximumEntropy = "mem",
+        /// Longuet-Higgins's (1963) weighted Fourier sum: smoother, and broader than what was measured.
+        LonguetHiggins = "longuet-higgins",
+    }
+}
+
+table! {
+    /// A measured or forecast sea: a table `[[sea.system]]` with `measured` in place of `spectrum`.
+    pub struct MeasuredSystem {
+        /// The file of spectra: NDBC real-time (`.data_spec`, with its files of directions beside it) or historical density, WAVEWATCH III point output, or a SWAN spectral file.
+        measured: PathBuf = required(File);
+        /// The time of the record, which must be in the file.
+        time: Option<Time> = optional(Moment, "the newest record that has waves");
+        /// The record, counted back from the newest, which is 0. Not beside `time`.
+        record: Option<u32> = optional(Count { min: 0, max: 1_048_575 }, "see `time`");
+        /// The place in a file of several: its name, or its number from 1.
+        place: Option<String> = optional(Name, "the first place");
+        /// How directions are made from moments; for NDBC files with directions and SWAN files of means.
+        direction_method: Option<DirectionMethod> = optional(OneOf::<DirectionMethod>::WORDS, "`\"mem\"`");
+        /// The bearing that the waves of a file without directions come from, clockwise from north; such a file needs it.
+        from_deg: Option<f64> = optional(Real { unit: "deg", min: 0.0, max: 360.0 }, "as the file says");
+        /// How narrow the waves of a file without directions run: the s of cos^2s of half the angle.
+        cos2s: Option<f64> = optional(Real { unit: "", min: 0.0, max: 200.0 }, "10 for a file without directions");
+    }
+}
+
+impl MeasuredSystem {
+    pub(super) fn read_checked(table: &TableReader<'_>) -> Result<Self, SceneError> {
+        if table.has("spectrum") {
+            return Err(table.error(Some("spectrum"), "beside measured; accepted: one of the two"));
+        }
+        let system = Self::read(table)?;
+        if system.time.is_some() && system.record.is_some() {
+            return Err(table.error(Some("record"), "beside time; accepted: one of the two"));
+        }
+        Ok(system)
+    }
+
+    /// Reads the file and finds the record; `table` is what errors call this system, such as `sea.system[0]`.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be read or has no such record.
+    pub fn load(&self, table: &str) -> Result<MeasuredSea, SceneError> {
+        let seas = measured::load(&self.measured)
+            .map_err(|error| SceneError::about_key(format!("{table}.measured"), error.to_string()))?;
+        let when = match (self.time, self.record) {
+            (Some(time), _) => When::At(time),
+            (None, Some(record)) => When::Back(record as usize),
+            (None, None) => When::Newest,
+        };
+        let selection = Selection { place: self.place.clone(), when };
+        measured::select(&seas, &selection).cloned().map_err(|problem| self.problem(table, &problem))
+    }
+
+    /// Reads the file and makes the spectrum of its record over water with this dispersion; `table` is what errors
+    /// call this system, such as `sea.system[0]`.
+    ///
+    /// # Errors
+    ///
+    /// As [`load`](Self::load), and if the record is without waves or needs other directions.
+    pub fn build(&self, table: &str, water: &Dispersion) -> Result<Box<dyn WaveSpectrum>, SceneError> {
+        let directions = Directions {
+            method: self.direction_method.map(|method| match method {
+                DirectionMethod::MaximumEntropy => tabulated::DirectionMethod::MaximumEntropy,
+                DirectionMethod::LonguetHiggins => tabulated::DirectionMethod::LonguetHiggins,
+            }),
+            from_deg: self.from_deg,
+            cos2s: self.cos2s,
+        };
+        match self.load(table)?.spectrum(&directions, water) {
+            Ok(spectrum) => Ok(Box::new(spectrum)),
+            Err(problem) => Err(self.problem(table, &problem)),
+        }
+    }
+
+    /// The file's complaint, under the key that would mend it.
+    fn problem(&self, table: &str, problem: &MeasuredProblem) -> SceneError {
+        let key = match problem {
+            MeasuredProblem::NoSuchTime { .. } => "time",
+            MeasuredProblem::NoSuchRecord { .. } => "record",
+            MeasuredProblem::NoSuchPlace { .. } => "place",
+            MeasuredProblem::NoDirections => "from_deg",
+            MeasuredProblem::NoMoments => "direction_method",
+            MeasuredProblem::HasDirections { key } => key,
+            MeasuredProblem::NoWaves { .. } if self.time.is_some() => "time",
+            MeasuredProblem::NoWaves { .. } if self.record.is_some() => "record",
+            _ => "measured",
+        };
+        SceneError::about_key(format!("{table}.{key}"), format!("{}: {problem}", self.measured.display()))
+    }
+}

@@ -1,0 +1,69 @@
+//! What of a wave system can be drawn, but is not found at sea.
+
+use whitecap_waves::dispersion::Dispersion;
+use whitecap_waves::spectrum::jonswap::fully_developed_fetch_m;
+
+use super::asked::{Asked, Way};
+
+/// γ of the sharpest peaks of the JONSWAP experiment.
+const SHARPEST: f64 = 7.0;
+
+/// The significant height over the depth beyond which waves break on the bottom faster than wind raises them
+/// (Nelson, *Appl. Ocean Res.* 16, 1994, finds 0.55 for single waves on a level bottom).
+const HIGHEST_OVER_DEPTH: f64 = 0.6;
+
+/// Where on the way between JONSWAP's short fetches and the open ocean growth ends is not known to better than a
+/// factor: only beyond so many times the fetch of the fully developed sea is something said.
+const FULL_FETCHES: f64 = 2.0;
+
+/// What is unusual about a sea: how it was asked for, its significant height, its peak period and its γ.
+pub(super) fn about(
+    asked: &Asked,
+    height_m: f64,
+    period_s: f64,
+    gamma: Option<f64>,
+    water: &Dispersion,
+) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let steepest = steepest(period_s);
+    let length_m = std::f64::consts::TAU / water.wave_number(std::f64::consts::TAU / period_s);
+    if height_m > steepest * length_m {
+        warnings.push(format!(
+            "steeper than a sea can be: {height_m:.2} m of significant height on waves {length_m:.1} m long; up to \
+             {:.2} m would not break all at once (set a longer peak_period_s or a lower significant_height_m)",
+            steepest * length_m
+        ));
+    }
+    if height_m > HIGHEST_OVER_DEPTH * water.depth_m() {
+        warnings.push(format!(
+            "higher than the water can carry: {height_m:.2} m of significant height over depth_m = {}; waves \
+             above {:.2} m break on the bottom",
+            water.depth_m(),
+            HIGHEST_OVER_DEPTH * water.depth_m()
+        ));
+    }
+    if let Some(gamma) = gamma.filter(|&gamma| gamma > SHARPEST) {
+        warnings
+            .push(format!("gamma = {gamma} is a sharper peak than any measured; 1 to 7 are found at sea"));
+    }
+    if let Ok(Way::Wind { speed_mps, fetch_m: Some(fetch_m) }) = asked.way() {
+        let full_m = fully_developed_fetch_m(speed_mps);
+        if fetch_m > FULL_FETCHES * full_m {
+            warnings.push(format!(
+                "fetch_km = {}: a wind of {speed_mps:.1} m/s has raised its sea in full after about {:.0} km; over more \
+                 water the formulas go on growing, the sea does not",
+                fetch_m / 1000.0,
+                full_m / 1000.0
+            ));
+        }
+    }
+    warnings
+}
+
+/// The greatest significant height over the length of the peak's waves: 1/15 up to 8 s, 1/25 from 15 s, linear
+/// between (DNV-RP-C205, *Environmental conditions and environmental loads*, section 3.5.5, there for waves of
+/// deep water).
+fn steepest(period_s: f64) -> f64 {
+    let part = ((period_s - 8.0) / 7.0).clamp(0.0, 1.0);
+    (1.0 - part) / 15.0 + part / 25.0
+}

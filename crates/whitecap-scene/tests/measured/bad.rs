@@ -1,0 +1,154 @@
+//! Files that are wrong: the message names the line, what was found and what is accepted.
+
+use std::path::Path;
+
+use whitecap_scene::measured::{from_bytes, load};
+
+use super::*;
+
+/// The message about a good file with one thing changed.
+#[track_caller]
+fn refuses(text: &str, found: &str, instead: &str, message: &str) {
+    assert!(text.contains(found), "{found} is not in the file");
+    let said = problem(&text.replacen(found, instead, 1));
+    assert!(said.starts_with(message), "{said}");
+}
+
+#[test]
+fn no_such_format() {
+    for text in
+        ["", "\n\n", "hello\n", "# a comment\n", "technique = \"meshuggah\"\n", "YYYY MM DD hh WVHT DPD\n"]
+    {
+        assert!(
+            problem(text).starts_with("file: no known format, by its first line; accepted: NDBC"),
+            "{text}"
+        );
+    }
+    let error = from_bytes(b"YYYY MM DD hh .1 .2\n2000 01 01 00 \xff\n", "file").unwrap_err().to_string();
+    assert!(error.starts_with("file:2: not UTF-8 text"), "{error}");
+    assert!(from_bytes(&[0xff; 100], "file").is_err());
+}
+
+#[test]
+fn no_such_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let said = |path: &Path| load(path).unwrap_err().to_string();
+    assert!(said(folder.path()).ends_with("this is a folder; accepted: a file of wave spectra"));
+    assert!(said(&folder.path().join("no.spec")).contains("no.spec: cannot be read: "));
+    // A hole of a file, so that nothing is written.
+    let long = folder.path().join("long.spec");
+    std::fs::File::create(&long).unwrap().set_len((64 << 20) + 1).unwrap();
+    assert!(said(&long).ends_with("67108865 bytes long; accepted: up to 67108864"));
+    #[cfg(unix)]
+    assert!(said(Path::new("/dev/zero")).ends_with("no ordinary file; accepted: a file of wave spectra"));
+}
+
+#[test]
+fn ndbc_real_time() {
+    let refuses = |found, instead, message| refuses(DATA_SPEC, found, instead, message);
+    refuses(
+        "0.110",
+        "0.100",
+        "file:2: found \"0.1\"; accepted: frequencies from 0.0001 to 100 Hz, ascending",
+    );
+    refuses("0.110", "0.095", "file:2: found \"0.095\"; accepted: frequencies");
+    refuses("0.110", "nan", "file:2: found \"nan\"; accepted: a frequency in brackets");
+    refuses("(0.110)", "0.110", "file:2: found \"0.110\"; accepted: a frequency in brackets");
+    refuses(
+        "4.000",
+        "-4.000",
+        "file:2: found \"-4\"; accepted: a density from 0 to 1000000 m²/Hz, or MM or 999",
+    );
+    refuses("4.000", "NaN", "file:2: found \"NaN\"; accepted: a density");
+    refuses("4.000", "1e7", "file:2: found \"10000000\"; accepted: a density");
+    refuses("06 08 03", "13 08 03", "file:2: found \"[2020, 13, 8, 3, 50, 0]\"; accepted: a time");
+    refuses("06 08 03", "06 x 03", "file:2: found \"x\"; accepted: a time");
+    refuses("(0.110) 2.000 (0.120)\n", "", "file:2: found");
+    let header = DATA_SPEC.lines().next().unwrap();
+    assert_eq!(problem(header), "file:1: no record; accepted: at least one spectrum");
+    let one = format!("{header}\n2020 06 08 03 50 0.2 1.0 (0.1)\n");
+    assert_eq!(problem(&one), "file:2: 1 frequencies; accepted: 2 to 1000");
+}
+
+#[test]
+fn ndbc_history() {
+    let refuses = |found, instead, message| refuses(HISTORY, found, instead, message);
+    refuses(".100", ".090", "file:1: found \"0.09\"; accepted: frequencies");
+    refuses(".100", "x", "file:1: found \"x\"; accepted: a header");
+    refuses("3.00", "-3.00", "file:2: found \"-3\"; accepted: a density");
+    refuses("3.00", "", "file:2: found \"2 values\"; accepted: as many values as the header has frequencies");
+    refuses("1.50", "1.50 1.50", "file:2: found \"4 values\"");
+    refuses("2000 01 01 00", "2000 02 30 00", "file:2: found \"[2000, 2, 30");
+    let many: String = (1..=1001).map(|i| format!(" .{i:04}")).collect();
+    assert_eq!(problem(&format!("YYYY MM DD hh{many}\n")), "file:1: 1001 frequencies; accepted: 2 to 1000");
+    assert_eq!(problem("YYYY MM DD hh .1 .2\n"), "file:1: no record; accepted: at least one spectrum");
+}
+
+#[test]
+fn ww3() {
+    let refuses = |found, instead, message| refuses(WW3, found, instead, message);
+    refuses("3     4     2", "3     4", "file:1: found \"'points\"; accepted: a count of points");
+    refuses("3     4     2", "3     4     0", "file:1: no record");
+    refuses(
+        "3     4     2",
+        "30000000000     4     2",
+        "file:1: 30000000000 frequencies; accepted: 2 to 1000",
+    );
+    refuses("3     4     2", "3     2     2", "file:1: 2 directions; accepted: 3 to 1000");
+    refuses("3     4     2", "3     5     2", "file:5: found \"060000\"; accepted: the end of the line");
+    refuses("3     4     2", "2     4     2", "file:4: found");
+    refuses("3     4     2", "3     4     3", "file:12: found \"20220912 070000\"; accepted: a point");
+    refuses("0.150E+00", "0.250E+00", "file:3: found \"0.2\"; accepted: frequencies");
+    refuses("0.000E+00", "0.785E+00", "file:4: found \"a direction twice\"; accepted: different directions");
+    refuses("0.000E+00", "*********", "file:4: found \"*********\"; accepted: directions in radians");
+    refuses("20220912 060000", "20220932 060000", "file:5: found \"20220932 060000\"; accepted: a time");
+    refuses("'first     '", "'first      ", "file:6: found");
+    refuses("0.300E+01", "-.300E+01", "file:11: found \"-3\"; accepted: a density from 0");
+    refuses("0.300E+01", "NaN", "file:10: found \"NaN\"; accepted: densities");
+    let half = &WW3[..WW3.rfind("'buoy").unwrap()];
+    assert!(problem(half).contains("the file ends; wanted: a point"));
+}
+
+#[test]
+fn swan() {
+    let refuses = |found, instead, message| refuses(SWAN, found, instead, message);
+    refuses("SWAN   1", "SWAN   2", "file:1: found");
+    refuses(
+        "     1                                  time",
+        "     2                                  time",
+        "file:4: found",
+    );
+    refuses("2                                  number of loc", "x", "file:6: found \"x");
+    refuses("2                                  number of loc", "90000000000 ", "file:9: found");
+    refuses(
+        "3                                  number of f",
+        "2 ",
+        "file:13: found \"0.1250\"; accepted: TIME, LONLAT",
+    );
+    refuses(
+        "3                                  number of f",
+        "4 ",
+        "file:14: found \"NDIR\"; accepted: frequencies",
+    );
+    refuses("    0.1250", "    0.0125", "file:13: found \"0.0125\"; accepted: frequencies");
+    refuses("    90.0", "   360.0", "file:19: found \"a direction twice\"");
+    refuses("VaDens", "AcDens", "file:22: found \"AcDens\"; accepted: VaDens or EnDens");
+    refuses("20161011.0", "20161011 0", "file:25: found");
+    refuses("1.0E-03", "-1.0E-03", "file:30: found \"-");
+    refuses("1.0E-03", "1.0E+300", "file:30: found \"");
+    refuses("0  -99   20", "0  -98   20", "file:30: found \"-5");
+    refuses("0  -99   20    0", "0  -99   20", "file:31: found \"NODATA\"; accepted: densities, as integers");
+    refuses("NODATA", "NOTHING", "file:31: found \"NOTHING\"; accepted: FACTOR, ZERO or NODATA");
+    refuses("LONLAT", "LATLON", "file:5: found");
+    refuses("QUANT", "NDIR", "file:21: 1 directions; accepted: 3 to 1000");
+    let half = &SWAN[..SWAN.rfind("FACTOR").unwrap()];
+    assert!(problem(half).contains("the file ends; wanted: FACTOR, ZERO or NODATA"));
+    assert!(problem(&SWAN[..SWAN.find("QUANT").unwrap()]).contains("the file ends; wanted: QUANT"));
+}
+
+/// What is quoted is short and stays on the line.
+#[test]
+fn messages_are_one_short_line() {
+    let said = problem(&HISTORY.replacen("3.00", &"é\u{1}".repeat(5000), 1));
+    assert!(said.len() < 400 && !said.contains('\n') && !said.contains('\u{1}'), "{said}");
+}

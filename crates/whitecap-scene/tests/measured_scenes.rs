@@ -1,0 +1,123 @@
+//! Scenes of measured seas: which file and record they mean, and what they say when there is none.
+
+#![allow(clippy::unwrap_used, reason = "a helper of tests may fail as a test may")]
+
+use std::path::Path;
+
+use whitecap_scene::sea::SeaModel;
+use whitecap_scene::sea::system::System;
+use whitecap_scene::{Scene, SceneError};
+use whitecap_waves::statistics::significant_height_m;
+
+/// Hs = 4√(0.01 · (½·1 + 4 + ½·2)) by trapezoids = 0.938 m, and an hour before half as high.
+const HISTORY: &str = "\
+YYYY MM DD hh mm  .100  .110  .120
+2020 06 08 02 50  .250 1.000  .500
+2020 06 08 03 50 1.000 4.000 2.000
+2020 06 08 04 50    MM    MM    MM
+";
+
+const CAMERA: &str = "[camera]\nposition_m = [0.0, 5.0, 0.0]\nlook_at_m = [50.0, 0.0, 0.0]\n";
+
+fn write(folder: &Path, system: &str) -> std::path::PathBuf {
+    std::fs::create_dir_all(folder.join("data")).unwrap();
+    std::fs::write(folder.join("data/buoy.txt"), HISTORY).unwrap();
+    let scene = folder.join("storm.toml");
+    let sea = "technique = \"meshuggah\"\n[sea]\ntile_size_m = 600.0\nresolution = 128\n[[sea.system]]\n";
+    std::fs::write(&scene, format!("{sea}{system}\n{CAMERA}")).unwrap();
+    scene
+}
+
+fn open(system: &str) -> Result<Scene, SceneError> {
+    let folder = tempfile::tempdir().unwrap();
+    Scene::load(&write(folder.path(), system)).and_then(|scene| scene.sea.build(1).map(|_| scene))
+}
+
+fn height_m(system: &str) -> f64 {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = Scene::load(&write(folder.path(), system)).unwrap();
+    significant_height_m(scene.sea.build(1).unwrap().variance_m2())
+}
+
+#[test]
+fn the_sea_is_as_high_as_the_file_says() {
+    for (system, expected_m) in [
+        ("measured = \"data/buoy.txt\"\nfrom_deg = 250.0", 0.938),
+        (
+            "measured = \"data/buoy.txt\"\nfrom_deg = 250.0\ntime = \"2020-06-08T02:50:00Z\"\ncos2s = 30.0",
+            0.469,
+        ),
+        ("measured = \"data/buoy.txt\"\nfrom_deg = 250.0\nrecord = 2\nplace = \"buoy\"", 0.469),
+    ] {
+        let found = height_m(system);
+        assert!((found / expected_m - 1.0).abs() < 0.02, "{system}: {found} m");
+    }
+}
+
+#[test]
+fn errors_name_the_line_of_the_scene_and_the_file() {
+    for (system, place, problem) in [
+        ("measured = \"no.txt\"", ":6: sea.system[0].measured = \"no.txt\": ", "no.txt: cannot be read"),
+        (
+            "measured = \"storm.toml\"",
+            ":6: sea.system[0].measured = ",
+            "storm.toml: no known format, by its first line",
+        ),
+        (
+            "measured = \"data/buoy.txt\"",
+            ":5: sea.system[0].from_deg: ",
+            "buoy.txt: no directions in the file; needs from_deg",
+        ),
+        (
+            "measured = \"data/buoy.txt\"\nfrom_deg = 9\ntime = \"2021-06-08T02:50\"",
+            ":8: sea.system[0].time = \"2021-06-08T02:50\": ",
+            "no record of 2021-06-08T02:50:00Z; there are 3 from 2020-06-08T02:50:00Z to 2020-06-08T04:50:00Z",
+        ),
+        (
+            "measured = \"data/buoy.txt\"\nfrom_deg = 9\nrecord = 7",
+            ":8: sea.system[0].record = 7: ",
+            "no record 7; accepted: 0, the newest, to 2",
+        ),
+        (
+            "measured = \"data/buoy.txt\"\nfrom_deg = 9\nrecord = 0",
+            ":8: sea.system[0].record = 0: ",
+            "every value is missing",
+        ),
+        (
+            "measured = \"data/buoy.txt\"\nfrom_deg = 9\nplace = \"x\"",
+            ":8: sea.system[0].place = \"x\": ",
+            "no place \"x\"; accepted: \"buoy\"",
+        ),
+        (
+            "measured = \"data/buoy.txt\"\nspectrum = \"phillips\"",
+            ":7: sea.system[0].spectrum = \"phillips\": ",
+            "beside measured; accepted: one of the two",
+        ),
+        (
+            "measured = \"a\"\nrecord = 1\ntime = \"2021-06-08T02:50\"",
+            ":7: sea.system[0].record = 1: ",
+            "beside time",
+        ),
+        ("measured = \"a\"\nwind_speed_mps = 9", ":7: sea.system[0].wind_speed_mps: ", "unknown key"),
+        (
+            "measured = \"a\"\ntime = \"noon\"",
+            ":7: sea.system[0].time = \"noon\": ",
+            "no time; accepted: a time such as 2022-09-12T06:00:00Z",
+        ),
+    ] {
+        let said = open(system).unwrap_err().to_string();
+        assert!(said.contains(&format!("storm.toml{place}")) && said.contains(problem), "{said}");
+    }
+}
+
+/// Text alone has no folder: nothing is opened, and what is written back is the same scene.
+#[test]
+fn text_is_read_without_its_files() {
+    let text = "technique = \"meshuggah\"\n[[sea.system]]\nmeasured = \"no.spec\"\ntime = \"2022-09-12T06:00\"\n\
+                direction_method = \"longuet-higgins\"\n";
+    let scene = Scene::from_toml(&format!("{text}{CAMERA}"), "text").unwrap();
+    let SeaModel::Spectral(settings) = &scene.sea.model else { panic!("another sea") };
+    let System::Measured(system) = &settings.system[0] else { panic!("another system") };
+    assert_eq!(system.measured, Path::new("no.spec"));
+    assert_eq!(Scene::from_toml(&scene.to_toml().unwrap(), "again").unwrap(), scene);
+}

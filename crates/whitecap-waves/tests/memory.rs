@@ -1,0 +1,85 @@
+//! What a sea takes of memory, and that moving it takes none.
+
+use glam::DVec2;
+use whitecap_waves::model::spectral::{
+    Amplitudes, Band, Cascade, SpectralSea, SpectralSeaParameters, SpectralTile, SpectralTileParameters,
+    Water,
+};
+use whitecap_waves::model::{TileFields, WaveModel};
+use whitecap_waves::query::Snapshot;
+use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
+
+const WIND: PhillipsParameters = PhillipsParameters {
+    wind_speed_mps: 10.0,
+    toward: DVec2::X,
+    significant_height_m: None,
+    opposing_energy: 0.0,
+    small_wave_cutoff_m: 0.0,
+};
+
+fn tile(resolution: usize) -> SpectralTile {
+    let parameters = SpectralTileParameters {
+        tile_size_m: 400.0,
+        resolution,
+        band: Band::WHOLE,
+        choppiness: 1.0,
+        water: Water { current_mps: DVec2::ONE, ..Water::STILL },
+        seed: 7,
+        amplitudes: Amplitudes::Deterministic,
+    };
+    SpectralTile::new(parameters, &[Phillips::new(WIND).unwrap()]).unwrap()
+}
+
+/// Counts are those of one thread.
+fn alone<R: Send>(work: impl FnOnce() -> R + Send) -> R {
+    rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap().install(work)
+}
+
+#[test]
+fn moving_a_sea_allocates_nothing() {
+    let counts = alone(|| {
+        let mut tile = tile(64);
+        let mut fields = TileFields::new(64);
+        let cascades = Cascade::split(&[(400.0, 64), (60.0, 64)]);
+        let sea = SpectralSea::new(
+            SpectralSeaParameters {
+                cascades,
+                choppiness: 1.0,
+                water: Water::STILL,
+                seed: 7,
+                amplitudes: Amplitudes::Deterministic,
+            },
+            &[Phillips::new(WIND).unwrap()],
+        )
+        .unwrap();
+        let mut snapshot = Snapshot::new(&sea);
+        // The first run may make room.
+        tile.evaluate(0.0, &mut fields);
+        snapshot.take(&sea, 0.0).unwrap();
+        [
+            allocation_counter::measure(|| tile.evaluate(1.0, &mut fields)),
+            allocation_counter::measure(|| snapshot.take(&sea, 1.0).unwrap()),
+            allocation_counter::measure(|| drop(vec![0_u8; 8])),
+        ]
+    });
+    assert_eq!((counts[0].count_total, counts[1].count_total), (0, 0));
+    assert_eq!(counts[2].count_total, 1, "the counter counts");
+}
+
+/// At most 80 bytes for each point of the grid, beside the fields, when all is set up and while it is.
+#[test]
+fn a_tile_takes_eighty_bytes_a_point() {
+    for n in [256, 512] {
+        let mut kept = None;
+        let counts = alone(|| {
+            allocation_counter::measure(|| {
+                kept = Some(tile(n));
+            })
+        });
+        let per_point = |bytes: i64| bytes as f64 / (n * n) as f64;
+        let (now, most) = (per_point(counts.bytes_current), per_point(counts.bytes_max as i64));
+        println!("{n}²: {now:.1} bytes a point, {most:.1} while it is set up");
+        assert!(now > 20.0 && now < 80.0, "{now}");
+        assert!(most < 80.0, "{most} while it is set up");
+    }
+}
