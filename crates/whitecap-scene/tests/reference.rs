@@ -17,7 +17,13 @@ fn scene_drawn_by(technique: &str) -> Table {
     if technique != drawn_by {
         scene.insert("technique".to_owned(), technique.into());
         scene.remove(drawn_by);
-        scene.insert("sea".to_owned(), Table::new().into());
+        // A technique that draws the same kind of sea keeps its waves, and chooses its tiles.
+        let same = technique::that_draw("spectral").any(|word| word == technique);
+        let waves = scene["sea"].get("system").filter(|_| same).cloned();
+        scene.insert(
+            "sea".to_owned(),
+            Table::from_iter(waves.map(|waves| ("system".to_owned(), waves))).into(),
+        );
         scene.insert(technique.to_owned(), Table::new().into());
     }
     scene
