@@ -7,9 +7,16 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// The sides of the synthesised tiles.
-const SIDES: [u32; 3] = [64, 256, 512];
+const SIDES: [u32; 5] = [64, 256, 512, 1024, 2048];
 /// A whole sea may cost this many times what its eight bare inverse transforms do with realfft.
-const MOST_TIMES_BARE: f64 = 1.5;
+const MOST_TIMES_BARE: f64 = 1.3;
+/// Two threads are this many times as fast as one, from tiles of this side up.
+const LEAST_BY_TWO_THREADS: (u32, f64) = (512, 1.7);
+/// The most that the making of a sea of four tiles of 256² may take, ms.
+const MOST_SETUP_MS: f64 = 50.0;
+/// Places that are asked of such a sea in one run of its benchmark, and the fewest to a second.
+const PLACES: f64 = 100_000.0;
+const LEAST_PLACES_PER_S: f64 = 1e6;
 
 /// How often the whole command is run.
 const RUNS: usize = 9;
@@ -19,12 +26,13 @@ const MOST_MEMORY_MB: f64 = 300.0;
 
 /// The most that a frame of each technique's own scene may cost, at 1280×720 on a software adapter of two
 /// cores, ms.
-const MOST_FRAME_MS: [(&str, f64); 5] = [
+const MOST_FRAME_MS: [(&str, f64); 6] = [
     ("ocean-water", 120.0),
     ("five-sample", 120.0),
     ("meshuggah", 120.0),
     ("rippling-lake", 200.0),
     ("projected-grid", 200.0),
+    ("spectral-ocean", 150.0),
 ];
 /// The pass that makes a sea of noise on the processor, and the most that it may cost, ms.
 const MOST_NOISE_MS: (&str, f64) = ("noise", 2.0);
@@ -33,10 +41,12 @@ pub(crate) fn run() -> Result<()> {
     let whitecap = product::build_release()?;
     setup::ensure_adapter(&whitecap)?;
     let synthesis = synthesis()?;
+    let sea = sea()?;
     let command = whole_command(&whitecap)?;
     let frames = frames(&whitecap)?;
     process::heading("results");
     process::say(&synthesis);
+    process::say(&sea);
     process::say(&command);
     process::say(&frames);
     Ok(())
@@ -47,19 +57,40 @@ fn synthesis() -> Result<String> {
     process::run(process::cargo().args(["bench", "--package", "whitecap-waves", "--bench", "synthesis"]))?;
     let folder = target_folder()?.join("criterion");
     let mut table = String::from(
-        "| tile | sea, ms | realfft, ms | ratio | goal | own transforms, ms |\n| --- | --- | --- | --- | --- | --- |\n",
+        "| tile | sea, ms | realfft, ms | ratio | goal | own transforms, ms | two threads, ms | faster | goal |\n\
+         | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
     );
     for side in SIDES {
         let sea = median_ms(&folder.join("sea").join(side.to_string()))?;
         let bare = median_ms(&folder.join("bare").join(side.to_string()))?;
         let realfft = median_ms(&folder.join("realfft").join(side.to_string()))?;
-        let ratio = sea / realfft;
+        let two_threads = median_ms(&folder.join("sea-two-threads").join(side.to_string()))?;
+        let (ratio, faster) = (sea / realfft, sea / two_threads);
+        let (from_side, least) = LEAST_BY_TWO_THREADS;
+        let by_two = if side >= from_side { verdict_at_least(faster, least) } else { String::new() };
         table += &format!(
-            "| {side}² | {sea:.3} | {realfft:.3} | {ratio:.2} | {} | {bare:.3} |\n",
+            "| {side}² | {sea:.3} | {realfft:.3} | {ratio:.2} | {} | {bare:.3} | {two_threads:.3} | {faster:.2} | {by_two} |\n",
             verdict(ratio, MOST_TIMES_BARE, "")
         );
     }
     Ok(table)
+}
+
+fn sea() -> Result<String> {
+    process::heading("a sea of four tiles of 256², and questions to it");
+    process::run(process::cargo().args(["bench", "--package", "whitecap-waves", "--bench", "sea"]))?;
+    let of = |name: &str| Ok::<_, anyhow::Error>(target_folder()?.join("criterion/four-tiles").join(name));
+    let [setup, snapshot, query] = ["setup", "snapshot", "query"].map(|name| median_ms(&of(name)?));
+    let (setup, snapshot, query) = (setup?, snapshot?, query?);
+    let per_s = PLACES / (query / 1e3);
+    Ok(format!(
+        "| four tiles of 256², two threads | median | goal |\n| --- | --- | --- |\n\
+         | set-up, ms | {setup:.1} | {} |\n| snapshot for queries, ms | {snapshot:.1} | |\n\
+         | places a second | {:.2} million | {} |\n",
+        verdict(setup, MOST_SETUP_MS, " ms"),
+        per_s / 1e6,
+        verdict_at_least(per_s / 1e6, LEAST_PLACES_PER_S / 1e6),
+    ))
 }
 
 fn whole_command(whitecap: &Path) -> Result<String> {
@@ -124,6 +155,11 @@ fn frames_told(report: &Value) -> String {
 fn verdict(measured: f64, most: f64, unit: &str) -> String {
     let met = if measured <= most { "met" } else { "**missed**" };
     format!("≤ {most}{unit}: {met}")
+}
+
+fn verdict_at_least(measured: f64, least: f64) -> String {
+    let met = if measured >= least { "met" } else { "**missed**" };
+    format!("≥ {least}: {met}")
 }
 
 /// The median that criterion measured for the benchmark kept in `folder`.
@@ -198,5 +234,8 @@ mod tests {
         assert!(verdict(1.5, 1.5, "").ends_with(": met"));
         assert!(verdict(1.51, 1.5, "").ends_with("**missed**"));
         assert!(verdict(f64::NAN, 1.5, "").ends_with("**missed**"));
+        assert!(verdict_at_least(1.7, 1.7).ends_with(": met"));
+        assert!(verdict_at_least(1.69, 1.7).ends_with("**missed**"));
+        assert!(verdict_at_least(f64::NAN, 1.7).ends_with("**missed**"));
     }
 }
