@@ -29,7 +29,7 @@ pub trait Surface: Send + Sync {
     fn sample(&self, rest_m: DVec2, time_s: f64) -> SurfacePoint;
 
     /// The water over each of `places_m` (`.x` east, `.y` south) at `time_s`, in their order: the horizontal
-    /// displacement is undone. See [`query`](crate::query) for how exactly.
+    /// displacement is undone. See [`query`] for how exactly.
     ///
     /// # Errors
     ///

@@ -47,6 +47,7 @@ pub struct Snapshot {
     /// What the grids were chosen for.
     sides_for: Vec<Key>,
     current_mps: DVec2,
+    time_s: Option<f64>,
 }
 
 impl Snapshot {
@@ -61,6 +62,7 @@ impl Snapshot {
                 .collect(),
             sides_for: sea.tiles().iter().map(key).collect(),
             current_mps: sea.parameters().water.current_mps,
+            time_s: None,
         }
     }
 
@@ -77,7 +79,13 @@ impl Snapshot {
         for (snapshot, tile) in self.tiles.iter_mut().zip(sea.tiles()) {
             snapshot.take(tile, time_s);
         }
+        self.time_s = Some(time_s);
         Ok(())
+    }
+
+    /// The moment that it was brought to; `None` before the first.
+    pub fn time_s(&self) -> Option<f64> {
+        self.time_s
     }
 
     /// The water over each place (`.x` east, `.y` south, metres), in their order: where it is, relative to where it

@@ -117,6 +117,11 @@ fn a_snapshot_serves_again_and_again() {
     assert!(snapshot.query(&places).unwrap().iter().all(|point| point.displacement_m == DVec3::ZERO));
     for (surface, time_s) in [(&large, 3.0), (&small, 4.0), (&large, 3.0)] {
         snapshot.take(surface, time_s).unwrap();
+        assert_eq!(snapshot.time_s(), Some(time_s));
+        assert_eq!(snapshot.query(&places).unwrap(), surface.query(&places, time_s).unwrap());
+        // Again, from what was kept, and from another moment back to this one.
+        assert_eq!(snapshot.query(&places).unwrap(), surface.query(&places, time_s).unwrap());
+        assert_ne!(snapshot.query(&places).unwrap(), surface.query(&places, time_s + 1.0).unwrap());
         assert_eq!(snapshot.query(&places).unwrap(), surface.query(&places, time_s).unwrap());
     }
 }

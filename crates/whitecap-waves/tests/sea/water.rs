@@ -12,14 +12,14 @@ use whitecap_waves::statistics::variance;
 const CURRENT: DVec2 = DVec2::new(1.3, -0.6);
 
 fn shallow() -> Dispersion {
-    Dispersion::at_depth(6.0).unwrap()
+    Dispersion::at_depth(6.0).expect("water")
 }
 
 /// One wave of 20 m by 100/3 m, half a metre high, in this water.
 fn one_wave_in(water: Water, choppiness: f64) -> (DVec2, SpectralTile) {
     let wave = OneWave { tile_size_m: 100.0, lattice: DVec2::new(5.0, -3.0), variance_m2: 0.125 };
     let tile = SpectralTileParameters { tile_size_m: 100.0, resolution: 32, water, choppiness, ..TILE };
-    (wave.k(), SpectralTile::new(tile, &[&wave]).unwrap())
+    (wave.k(), SpectralTile::new(tile, &[&wave]).expect("one wave fits"))
 }
 
 /// The crest of a wave moves at ω/k + U along k, in any water.

@@ -83,16 +83,6 @@ impl Verb {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::Cli;
-
-    #[test]
-    fn the_arguments_are_well_formed() {
-        <Cli as clap::CommandFactory>::command().debug_assert();
-    }
-}
-
 /// Reads a scene, and says on standard error where its sea bends what it asks for.
 fn open(name_or_path: &str) -> Result<Scene, Failure> {
     let scene = whitecap_scene::open(name_or_path)?;
@@ -104,5 +94,15 @@ fn print_warnings(warnings: &[String]) {
     for warning in warnings {
         // Nobody is left to tell if standard error is closed.
         let _ = writeln!(std::io::stderr(), "warning: {warning}");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Cli;
+
+    #[test]
+    fn the_arguments_are_well_formed() {
+        <Cli as clap::CommandFactory>::command().debug_assert();
     }
 }

@@ -33,7 +33,7 @@
 //!
 //! Each wave of the lattice has the energy of its cell, ∫Ψ d²k, so the variance of a tile is the
 //! integral of the spectrum over the waves that the tile carries, no more and no less. Nothing is scaled to hide
-//! what a tile is too small or too coarse for: [`SpectralSea::captured_fraction`] says how much of a system it
+//! what a tile is too small or too coarse for: [`SpectralSea::captured_fractions`] says how much of a system it
 //! carries, and one of which it carries less than half is refused.
 //!
 //! One tile carries waves from its length down to twice its spacing. A [`SpectralSea`] of several tiles, its

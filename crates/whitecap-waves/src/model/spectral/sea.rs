@@ -10,6 +10,7 @@ use crate::model::{Surface, SurfacePoint};
 use crate::query::{QueryError, Snapshot};
 use crate::spectrum::{Profile, WaveSpectrum};
 use glam::{DVec2, DVec3};
+use std::sync::{Mutex, PoisonError};
 
 /// What a [`SpectralSea`] is made from, beside its spectra.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,6 +34,8 @@ pub struct SpectralSeaParameters {
 pub struct SpectralSea {
     parameters: SpectralSeaParameters,
     tiles: Vec<SpectralTile>,
+    /// What queries have made before. Their memory serves again, and their moment if it is the one that is asked for.
+    snapshots: Mutex<Vec<Snapshot>>,
 }
 
 impl SpectralSea {
@@ -61,7 +64,7 @@ impl SpectralSea {
             SpectralTile::of_cascade(tile, index as u64, systems)
         };
         let tiles = each(&parameters.cascades, tile)?;
-        let sea = Self { parameters, tiles };
+        let sea = Self { parameters, tiles, snapshots: Mutex::default() };
         for (system, share) in sea.shares().enumerate() {
             if share.fraction() < LEAST_CAPTURED {
                 let Cascade { tile_size_m, .. } = sea.parameters.cascades[0];
@@ -141,9 +144,16 @@ impl Surface for SpectralSea {
 
     /// By a [`Snapshot`]: to within 1 mm or 0.1 % of the significant height of the direct sum, whichever is larger.
     fn query(&self, places_m: &[DVec2], time_s: f64) -> Result<Vec<SurfacePoint>, QueryError> {
-        let mut snapshot = Snapshot::new(self);
-        snapshot.take(self, time_s)?;
-        snapshot.query(places_m)
+        // Only who asks at the same time as another needs one more. A lock that a panic has poisoned holds whole ones.
+        let kept = || self.snapshots.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = kept().pop();
+        let mut snapshot = found.unwrap_or_else(|| Snapshot::new(self));
+        if snapshot.time_s() != Some(time_s) {
+            snapshot.take(self, time_s)?;
+        }
+        let answers = snapshot.query(places_m);
+        kept().push(snapshot);
+        answers
     }
 }
 
