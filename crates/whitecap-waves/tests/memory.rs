@@ -1,5 +1,7 @@
 //! What a sea takes of memory, and that moving it takes none.
 
+#![allow(clippy::unwrap_used, reason = "a helper of tests may fail as a test may")]
+
 use glam::DVec2;
 use whitecap_waves::model::spectral::{
     Amplitudes, Band, Cascade, SpectralSea, SpectralSeaParameters, SpectralTile, SpectralTileParameters,
