@@ -1,13 +1,14 @@
-//! The parts of the documentation that are made, not written: the list of scene keys and the pictures.
+//! The parts of the documentation that are made, not written: the list of scene keys, what is measured, the
+//! pictures.
 
 use crate::{process, product, setup};
 use anyhow::{Context, Result};
 use std::path::Path;
 
 pub(crate) fn run() -> Result<()> {
-    process::heading("scene keys");
+    process::heading("scene keys and accuracies");
     let mut test = process::cargo();
-    test.args(["test", "--workspace", "--test", "scene_reference"]);
+    test.args(["test", "--workspace", "--test", "scene_reference", "--test", "accuracy"]);
     process::run(test.env("WHITECAP_UPDATE_DOCS", "1"))?;
 
     let whitecap = product::build_release()?;
@@ -28,7 +29,8 @@ pub(crate) fn run() -> Result<()> {
     }
     classics(&whitecap)?;
     process::say(
-        "These pictures and docs/scene-files.md are new. Look at all of them before you commit them.",
+        "These pictures, docs/scene-files.md and docs/accuracy.md are new. Look at all of them before you commit \
+         them.",
     );
     Ok(())
 }
