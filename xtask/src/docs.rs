@@ -28,6 +28,9 @@ pub(crate) fn run() -> Result<()> {
         }
     }
     classics(&whitecap)?;
+    const CHART: &str = "docs/images/spectrum.png";
+    product::ask(&mut product::command(&whitecap, &["spectrum", "spectral-ocean", "-o", CHART]))?;
+    process::say(CHART);
     process::say(
         "These pictures, docs/scene-files.md and docs/accuracy.md are new. Look at all of them before you commit \
          them.",
