@@ -1,8 +1,12 @@
 //! Equal bits, however a sea is computed.
 
 use crate::{TILE, WIND, wind_sea};
-use whitecap_waves::model::spectral::SpectralTileParameters;
-use whitecap_waves::model::{TileFields, WaveModel};
+use glam::DVec2;
+use whitecap_waves::model::spectral::{
+    Amplitudes, Cascade, SpectralSea, SpectralSeaParameters, SpectralTileParameters, Water,
+};
+use whitecap_waves::model::{Surface, TileFields, WaveModel};
+use whitecap_waves::spectrum::phillips::Phillips;
 
 fn evaluated(resolution: usize) -> TileFields {
     let mut fields = TileFields::default();
@@ -34,6 +38,30 @@ fn the_number_of_threads_changes_no_bit() {
         let alone = on(1);
         assert!(on(2) == alone && on(3) == alone, "{resolution}");
     }
+}
+
+/// A query has the same bits too, whoever asks for which part of it.
+#[test]
+fn queries_are_the_same_on_any_number_of_threads() {
+    let cascades = Cascade::split(&[(400.0, 128), (60.0, 128)]);
+    let places: Vec<DVec2> =
+        (0..2000).map(|i| DVec2::new(0.37 * f64::from(i), -1.9 * f64::from(i))).collect();
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let parameters = SpectralSeaParameters {
+                cascades: cascades.clone(),
+                choppiness: 1.0,
+                water: Water::STILL,
+                seed: 3,
+                amplitudes: Amplitudes::Deterministic,
+            };
+            let sea = SpectralSea::new(parameters, &[Phillips::new(WIND).unwrap()]).unwrap();
+            sea.query(&places, 5.0).unwrap()
+        })
+    };
+    let alone = on(1);
+    assert!(on(2) == alone && on(3) == alone);
 }
 
 #[test]
