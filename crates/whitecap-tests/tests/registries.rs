@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)] // a test that cannot go on should stop
 
 use glam::{DVec2, DVec3};
+use whitecap_scene::sea::SeaSurface;
 use whitecap_scene::{named, sea, sky, technique};
 use whitecap_waves::model::{Surface, TileFields};
 use whitecap_waves::statistics::{significant_height_m, variance};
@@ -68,9 +69,11 @@ fn every_named_scenes_surface_keeps_its_promises() {
         let scene = whitecap_scene::open(named.name).unwrap();
         let surface = scene.surface().unwrap();
         let hs_m = significant_height_m(surface.variance_m2());
+        // A direct sum over all waves of several tiles takes its time.
+        let places = if matches!(surface.sea(), SeaSurface::Spectral(_)) { 4 } else { 40 };
         for time_s in [0.0, 3.7, -4_321.5, 1e6] {
             for far_m in [0.0, 1e6] {
-                for i in 0..40 {
+                for i in 0..places {
                     let rest = DVec2::new(far_m + 7.31 * f64::from(i), -far_m - 3.77 * f64::from(i));
                     let point = surface.sample(rest, time_s);
                     assert_eq!(point, surface.sample(rest, time_s), "{}", named.name);
@@ -83,11 +86,11 @@ fn every_named_scenes_surface_keeps_its_promises() {
             }
         }
         // The measured variance is the promised one, as far as a few thousand places can tell.
-        let heights: Vec<f32> = (0..4_000)
-            .map(|i| {
-                let rest = DVec2::new(61.803 * f64::from(i % 63), 38.197 * f64::from(i / 63));
-                surface.sample(rest, f64::from(i)).displacement_m.y as f32
-            })
+        let places: Vec<DVec2> =
+            (0..500).map(|i| DVec2::new(61.803 * f64::from(i % 23), 38.197 * f64::from(i / 23))).collect();
+        let heights: Vec<f32> = (0..8)
+            .flat_map(|i| surface.query(&places, 37.0 * f64::from(i)).unwrap())
+            .map(|point| point.height_m() as f32)
             .collect();
         let measured = significant_height_m(variance(&heights));
         assert!((measured - hs_m).abs() <= 0.15 * hs_m, "{}: {measured} m instead of {hs_m} m", named.name);
