@@ -16,7 +16,7 @@
 //! let error = Scene::from_toml("seed = 7\n[sea]\ntile_size_m = -3\n", "storm.toml").unwrap_err();
 //! assert_eq!(
 //!     error.to_string(),
-//!     "storm.toml:3: sea.tile_size_m = -3: out of range; accepted: 1 to 10000 m"
+//!     "storm.toml:3: sea.tile_size_m = -3: out of range; accepted: 1 to 100000 m"
 //! );
 //! # Ok::<(), whitecap_scene::SceneError>(())
 //! ```
