@@ -79,6 +79,9 @@ pub struct Tiling {
 /// What ten samples of a picture taken from eye height show at the viewer's feet.
 const SHORTEST_WAVE_M: f64 = 0.1;
 
+/// A loop that changes the period of a peak by more than this share is worth a warning.
+const LOOPED: f64 = 0.05;
+
 /// Less of a system than this on the tiles is worth a warning: its height is 1 % lower than was asked for.
 const FULL: f64 = 0.98;
 
@@ -206,7 +209,25 @@ impl SpectralSettings {
             let warnings = system.warnings(&sea.parameters().water.dispersion);
             warnings.into_iter().map(move |warning| format!("sea.system[{index}]: {warning}"))
         });
-        unusual.chain(captured.enumerate().filter_map(lost)).collect()
+        let hurried = |(index, spectrum)| {
+            let loop_s = self.loop_s?;
+            let water = &sea.parameters().water;
+            let period_s = std::f64::consts::TAU
+                / water.dispersion.angular_frequency(Profile::of(spectrum).peak_wave_number());
+            // A frequency moves by half a turn to a loop.
+            let moved = 0.5 * period_s / loop_s;
+            (moved > LOOPED).then(|| {
+                format!(
+                    "loop_s = {loop_s}: to close, it changes the periods of sea.system[{index}] by up to {:.0} % at the \
+                     peak; loops of {:.0} s or more change them by less than {:.0} %",
+                    100.0 * moved,
+                    (0.5 * period_s / LOOPED).ceil(),
+                    100.0 * LOOPED
+                )
+            })
+        };
+        let hurried = spectra.iter().enumerate().filter_map(hurried);
+        unusual.chain(captured.enumerate().filter_map(lost)).chain(hurried).collect()
     }
 
     /// What would make the rest of a spectrum fit.

@@ -81,6 +81,16 @@ impl TileFields {
         (1.0 + self.gradient_xx[i]) * (1.0 + self.gradient_zz[i]) - gxz * gxz
     }
 
+    /// The eigenvalues of the Jacobian matrix at sample `i`, the lesser first: by how much the surface is drawn together
+    /// or apart along its two principal directions. ½(Jxx + Jzz) ∓ √(¼(Jxx − Jzz)² + gxz²); the lesser is below 0 where
+    /// the surface folds, and says along which line whitecaps break. Their product is J.
+    pub fn jacobian_eigenvalues(&self, i: usize) -> [f32; 2] {
+        let (jxx, jxz, jzz) = (1.0 + self.gradient_xx[i], self.gradient_xz[i], 1.0 + self.gradient_zz[i]);
+        let (mean, half) = (0.5 * (jxx + jzz), 0.5 * (jxx - jzz));
+        let apart = half.hypot(jxz);
+        [mean - apart, mean + apart]
+    }
+
     fn arrays_mut(&mut self) -> [&mut Vec<f32>; 8] {
         [
             &mut self.height,
@@ -130,6 +140,20 @@ mod tests {
         let normal = tangent_z.cross(tangent_x);
         assert!(glam::Vec3::from(fields.normal(0)).distance(normal.normalize()) < 1e-6);
         assert!((fields.jacobian(0) - normal.y).abs() < 1e-6);
+    }
+
+    /// Of a matrix turned by 30°: its eigenvalues are those it was made from.
+    #[test]
+    fn eigenvalues_are_those_along_the_principal_directions() {
+        let mut fields = TileFields::new(1);
+        let (sin, cos) = 30.0_f32.to_radians().sin_cos();
+        let (least, most) = (-0.2, 1.3);
+        fields.gradient_xx[0] = least * cos * cos + most * sin * sin - 1.0;
+        fields.gradient_zz[0] = least * sin * sin + most * cos * cos - 1.0;
+        fields.gradient_xz[0] = (least - most) * sin * cos;
+        let found = fields.jacobian_eigenvalues(0);
+        assert!((found[0] - least).abs() < 1e-6 && (found[1] - most).abs() < 1e-6, "{found:?}");
+        assert!((found[0] * found[1] - fields.jacobian(0)).abs() < 1e-6);
     }
 
     #[test]

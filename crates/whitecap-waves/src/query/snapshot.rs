@@ -79,6 +79,7 @@ impl Snapshot {
         for (snapshot, tile) in self.tiles.iter_mut().zip(sea.tiles()) {
             snapshot.take(tile, time_s);
         }
+        self.current_mps = sea.parameters().water.current_mps;
         self.time_s = Some(time_s);
         Ok(())
     }

@@ -126,6 +126,20 @@ fn a_snapshot_serves_again_and_again() {
     }
 }
 
+/// The same tiles, but for what they run in.
+#[test]
+fn a_snapshot_takes_the_current_of_its_sea() {
+    let spectrum = wind_sea(9.0);
+    let on =
+        |current_mps| sea(vec![Cascade::whole(200.0, 32)], spectrum, Water { current_mps, ..Water::STILL });
+    let (still, tide) = (on(DVec2::ZERO), on(DVec2::new(2.0, 0.0)));
+    let mut snapshot = Snapshot::new(&still);
+    for surface in [&still, &tide, &still] {
+        snapshot.take(surface, 7.0).unwrap();
+        assert_eq!(snapshot.query(&places(5)).unwrap(), surface.query(&places(5), 7.0).unwrap());
+    }
+}
+
 #[test]
 fn what_is_not_finite_is_refused_by_every_surface() {
     let spectrum = wind_sea(9.0);

@@ -15,6 +15,7 @@
 
 use super::{DirectionalSum, SpectralMoments};
 use crate::dispersion::Dispersion;
+use crate::model::spectral::Water;
 use crate::model::{TileFields, WaveModel};
 use glam::DVec2;
 use rustfft::FftPlanner;
@@ -37,19 +38,13 @@ pub struct LatticeWaves {
 }
 
 impl LatticeWaves {
-    /// Looks at `tile` twice, at `time_s` and shortly after. The waves must run as `dispersion` says in water that
-    /// the current carries; `fields` is left as at `time_s`.
-    pub fn measure(
-        tile: &mut dyn WaveModel,
-        dispersion: Dispersion,
-        current_mps: DVec2,
-        time_s: f64,
-        fields: &mut TileFields,
-    ) -> Self {
+    /// Looks at `tile` twice, at `time_s` and shortly after. The waves must run as they do in `water`; `fields` is left
+    /// as at `time_s`.
+    pub fn measure(tile: &mut dyn WaveModel, water: &Water, time_s: f64, fields: &mut TileFields) -> Self {
         let (n, tile_size_m) = (tile.resolution(), tile.tile_size_m());
         let half = n as i32 / 2;
         let spacing = TAU / tile_size_m;
-        let fastest = dispersion.angular_frequency(spacing * f64::from(half) * std::f64::consts::SQRT_2);
+        let fastest = TAU * water.turns_per_s(spacing * f64::from(half) * std::f64::consts::SQRT_2);
         let delta_s = FASTEST_TURN / fastest;
         tile.evaluate(time_s + delta_s, fields);
         let later = coefficients(&fields.height, n);
@@ -63,8 +58,8 @@ impl LatticeWaves {
                     continue;
                 }
                 let k = spacing * DVec2::new(f64::from(p), f64::from(q));
-                let omega = dispersion.angular_frequency(k.length());
-                let (carried_sin, carried_cos) = libm::sincos(k.dot(current_mps) * delta_s);
+                let omega = TAU * water.turns_per_s(k.length());
+                let (carried_sin, carried_cos) = libm::sincos(TAU * water.drift_turns_per_s(k) * delta_s);
                 let carried_back = Complex::new(carried_cos, carried_sin);
                 let (sin, cos) = libm::sincos(omega * delta_s);
                 // Where transforms keep negative numbers.
@@ -87,11 +82,11 @@ impl LatticeWaves {
     }
 
     /// All waves together.
-    pub fn sum(&self, dispersion: Dispersion) -> (SpectralMoments, DirectionalSum) {
+    pub fn sum(&self, water: &Water) -> (SpectralMoments, DirectionalSum) {
         let (mut moments, mut directions) = (SpectralMoments::default(), DirectionalSum::default());
         for (k, energy_m2) in self.waves().filter(|&(k, _)| k != DVec2::ZERO) {
             let length = k.length();
-            moments.add(energy_m2, dispersion.angular_frequency(length));
+            moments.add(energy_m2, TAU * water.turns_per_s(length));
             directions.add(energy_m2, k / length);
         }
         (moments, directions)

@@ -5,7 +5,7 @@ use super::{
     DirectionalSum, FrequencyBin, LatticeWaves, Moments, SeaStatistics, SlopeVariance, SpectralMoments,
     frequency_bins,
 };
-use crate::dispersion::Dispersion;
+use crate::model::spectral::Water;
 use crate::model::{TileFields, WaveModel};
 use glam::DVec2;
 use std::f64::consts::TAU;
@@ -28,19 +28,18 @@ pub struct SurfaceStatistics {
 }
 
 impl SurfaceStatistics {
-    /// Measures the sum of `tiles` at `time_s`. Their waves must run as `dispersion` says in water that the current
-    /// carries (zero for none), and be independent of each other: then cumulants add.
+    /// Measures the sum of `tiles` at `time_s`. Their waves must run as they do in `water`, and be independent of each
+    /// other: then cumulants add.
     pub fn measure<'a>(
         tiles: impl IntoIterator<Item = &'a mut dyn WaveModel>,
-        dispersion: Dispersion,
-        current_mps: DVec2,
+        water: &Water,
         time_s: f64,
     ) -> Self {
         let mut fields = TileFields::default();
         let (mut variance_m2, mut third, mut fourth) = (0.0, 0.0, 0.0);
         let (mut slope, mut waves) = (SlopeVariance::default(), Vec::new());
         for tile in tiles {
-            waves.push(LatticeWaves::measure(tile, dispersion, current_mps, time_s, &mut fields));
+            waves.push(LatticeWaves::measure(tile, water, time_s, &mut fields));
             let height = Moments::of(&fields.height);
             variance_m2 += height.variance;
             third += height.skewness * height.variance * height.variance.sqrt();
@@ -48,11 +47,11 @@ impl SurfaceStatistics {
                 if height.variance > 0.0 { (height.kurtosis - 3.0) * height.variance.powi(2) } else { 0.0 };
             slope += slope_of(&fields);
         }
-        let bins = frequency_bins(&waves, dispersion);
+        let bins = frequency_bins(&waves, water.dispersion);
         let whole: Vec<&FrequencyBin> = bins.iter().filter(|bin| bin.filled >= 0.5).collect();
         let samples: Vec<_> = whole.iter().map(|bin| (bin.frequency_hz, bin.density_m2phz)).collect();
         let peak = peak_of(&samples);
-        let (moments, directions) = sum_of(&waves, dispersion, variance_m2);
+        let (moments, directions) = sum_of(&waves, water, variance_m2);
         let sea = SeaStatistics {
             moments,
             peak_period_s: peak.map(|(_, frequency_hz)| 1.0 / frequency_hz),
@@ -87,14 +86,10 @@ impl SurfaceStatistics {
 
 /// The moments of all waves, scaled to the variance that the field has: the waves' own sum is its mean over time,
 /// from which it differs where waves run against each other.
-fn sum_of(
-    waves: &[LatticeWaves],
-    dispersion: Dispersion,
-    variance_m2: f64,
-) -> (SpectralMoments, DirectionalSum) {
+fn sum_of(waves: &[LatticeWaves], water: &Water, variance_m2: f64) -> (SpectralMoments, DirectionalSum) {
     let (mut moments, mut directions) = (SpectralMoments::default(), DirectionalSum::default());
     for tile in waves {
-        let (tile_moments, tile_directions) = tile.sum(dispersion);
+        let (tile_moments, tile_directions) = tile.sum(water);
         moments += tile_moments;
         directions.energy_m2 += tile_directions.energy_m2;
         directions.toward_m2 += tile_directions.toward_m2;

@@ -222,12 +222,7 @@ fn a_synthesised_surface_is_the_sea_of_its_spectrum() {
         let spectrum = wind(8.0, toward_from_nautical(from_deg));
         let mut tile = tile(500.0, 128, spectrum);
         let theory = PolarSpectrum::of(&[spectrum], Dispersion::DEEP, WaveBand::ALL).unwrap();
-        let surface = SurfaceStatistics::measure(
-            [&mut tile as &mut dyn WaveModel],
-            Dispersion::DEEP,
-            DVec2::ZERO,
-            12.5,
-        );
+        let surface = SurfaceStatistics::measure([&mut tile as &mut dyn WaveModel], &Water::STILL, 12.5);
         let (expected, found) = (theory.statistics(), &surface.sea);
         near(found.significant_height_m(), significant_height_m(tile.variance_m2()), 1e-3);
         near(found.significant_height_m(), expected.significant_height_m(), 0.02);
@@ -247,8 +242,7 @@ fn a_synthesised_surface_is_the_sea_of_its_spectrum() {
 fn rings_of_the_lattice_follow_the_spectrum() {
     let spectrum = west_wind(10.0);
     let mut tile = tile(1500.0, 256, spectrum);
-    let surface =
-        SurfaceStatistics::measure([&mut tile as &mut dyn WaveModel], Dispersion::DEEP, DVec2::ZERO, 0.0);
+    let surface = SurfaceStatistics::measure([&mut tile as &mut dyn WaveModel], &Water::STILL, 0.0);
     let samples =
         PolarSpectrum::of(&[spectrum], Dispersion::DEEP, WaveBand::ALL).unwrap().frequency_spectrum();
     let mut compared = 0;
@@ -309,8 +303,7 @@ fn a_sine_goes_where_it_goes() {
     let omega = Dispersion::DEEP.angular_frequency(TAU / 20.0);
     for (speed, toward) in [(omega, DVec2::Y), (-omega, -DVec2::Y)] {
         let mut sine = Sine { speed };
-        let surface =
-            SurfaceStatistics::measure([&mut sine as &mut dyn WaveModel], Dispersion::DEEP, DVec2::ZERO, 3.0);
+        let surface = SurfaceStatistics::measure([&mut sine as &mut dyn WaveModel], &Water::STILL, 3.0);
         near(surface.sea.moments.m0, 0.5, 1e-6);
         near(surface.kurtosis, 1.5, 1e-5);
         near(surface.sea.slope.zz, 0.5 * (TAU / 20.0).powi(2), 1e-5);
@@ -321,7 +314,7 @@ fn a_sine_goes_where_it_goes() {
     // Two independent sines: variances and cumulants add, and opposite ones have no direction.
     let (mut there, mut back) = (Sine { speed: omega }, Sine { speed: -omega });
     let tiles = [&mut there as &mut dyn WaveModel, &mut back];
-    let surface = SurfaceStatistics::measure(tiles, Dispersion::DEEP, DVec2::ZERO, 0.0);
+    let surface = SurfaceStatistics::measure(tiles, &Water::STILL, 0.0);
     near(surface.sea.moments.m0, 1.0, 1e-6);
     near(surface.kurtosis, 2.25, 1e-5);
     assert!(surface.sea.directions.r1() < 1e-4, "{}", surface.sea.directions.r1());
@@ -335,8 +328,11 @@ fn a_current_does_not_change_where_waves_go_in_the_water() {
     for current in [-12.0, -3.0, 3.0, 12.0] {
         let mut sine = Sine { speed: omega + k * current };
         let current_mps = DVec2::new(5.0, current);
-        let surface =
-            SurfaceStatistics::measure([&mut sine as &mut dyn WaveModel], Dispersion::DEEP, current_mps, 3.0);
+        let surface = SurfaceStatistics::measure(
+            [&mut sine as &mut dyn WaveModel],
+            &Water { current_mps, ..Water::STILL },
+            3.0,
+        );
         near(surface.sea.moments.m0, 0.5, 1e-6);
         assert!(surface.sea.mean_toward().unwrap().distance(DVec2::Y) < 1e-6);
         assert!(surface.sea.spread_rad().unwrap() < 1e-2, "{current} m/s");
@@ -346,7 +342,7 @@ fn a_current_does_not_change_where_waves_go_in_the_water() {
 #[test]
 fn calm_water_has_nothing() {
     let still: [&mut dyn WaveModel; 0] = [];
-    let surface = SurfaceStatistics::measure(still, Dispersion::DEEP, DVec2::ZERO, 0.0);
+    let surface = SurfaceStatistics::measure(still, &Water::STILL, 0.0);
     assert_eq!((surface.sea, surface.kurtosis, surface.bins.len()), (SeaStatistics::default(), 0.0, 0));
     let nothing: [Phillips; 0] = [];
     let parameters = SpectralTileParameters {
@@ -359,7 +355,29 @@ fn calm_water_has_nothing() {
         amplitudes: Amplitudes::Deterministic,
     };
     let mut tile = SpectralTile::new(parameters, &nothing).unwrap();
-    let surface =
-        SurfaceStatistics::measure([&mut tile as &mut dyn WaveModel], Dispersion::DEEP, DVec2::ZERO, 0.0);
+    let surface = SurfaceStatistics::measure([&mut tile as &mut dyn WaveModel], &Water::STILL, 0.0);
     assert_eq!((surface.sea, surface.kurtosis, surface.bins.len()), (SeaStatistics::default(), 0.0, 0));
+}
+
+/// What a loop makes of frequencies is not taken for waves that run the other way.
+#[test]
+fn a_loop_is_measured_as_it_runs() {
+    for loop_s in [60.0, 20.0, 5.0] {
+        let water = Water { loop_s: Some(loop_s), ..Water::STILL };
+        let spectrum = west_wind(8.0);
+        let parameters = SpectralTileParameters {
+            tile_size_m: 400.0,
+            resolution: 64,
+            band: Band::WHOLE,
+            choppiness: 1.0,
+            water,
+            seed: 5,
+            amplitudes: Amplitudes::Deterministic,
+        };
+        let mut tile = SpectralTile::new(parameters, &[spectrum]).unwrap();
+        let surface = SurfaceStatistics::measure([&mut tile as &mut dyn WaveModel], &water, 3.0);
+        let sum: f64 = surface.waves.iter().flat_map(LatticeWaves::waves).map(|(_, energy)| energy).sum();
+        near(sum, tile.variance_m2(), 5e-3);
+        near(surface.sea.spread_rad().unwrap(), 0.55, 0.02);
+    }
 }

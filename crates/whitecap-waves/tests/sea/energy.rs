@@ -135,3 +135,25 @@ fn heights_are_gaussian() {
     assert!(moments.mean.abs() < 1e-5, "{moments:?}");
     assert!(moments.skewness.abs() < 0.1 && (moments.kurtosis - 3.0).abs() < 0.2, "{moments:?}");
 }
+
+/// A swell narrower than a cell, between the points of the lattice: what its cells hold is all of it, whatever the
+/// density at their centres.
+#[test]
+fn a_peak_between_the_lattice_points_is_not_missed() {
+    struct Peak(DVec2, f64);
+    impl WaveSpectrum for Peak {
+        fn density_m4(&self, k: DVec2) -> f64 {
+            let spread = 2.0 * self.1 * self.1;
+            (-k.distance_squared(self.0) / spread).exp() / (std::f64::consts::PI * spread)
+        }
+        fn variance_m2(&self) -> f64 {
+            1.0
+        }
+    }
+    let spacing = TAU / TILE.tile_size_m;
+    for centre in [DVec2::new(5.5, 2.5), DVec2::new(6.0, -3.0), DVec2::new(-12.5, 4.5)] {
+        let peak = Peak(spacing * centre, 0.25 * spacing);
+        let sea = SpectralTile::new(TILE, &[&peak]).unwrap();
+        assert!((sea.variance_m2() - 1.0).abs() < 0.01, "{centre}: {}", sea.variance_m2());
+    }
+}

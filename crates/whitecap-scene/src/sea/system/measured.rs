@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use whitecap_waves::dispersion::Dispersion;
 use whitecap_waves::spectrum::WaveSpectrum;
 use whitecap_waves::spectrum::tabulated;
+use whitecap_waves::statistics::significant_height_m;
 
 use crate::error::SceneError;
 use crate::key::{Count, File, Moment, Name, OneOf, Real, optional, required, table, words};
@@ -89,6 +90,22 @@ impl MeasuredSystem {
             Ok(spectrum) => Ok(Box::new(spectrum)),
             Err(problem) => Err(self.problem(table, &problem)),
         }
+    }
+
+    /// Where the energy between the file's frequencies is not what the file's own sum says, as with few of them.
+    pub(super) fn warnings(&self, water: &Dispersion) -> Vec<String> {
+        let (Ok(sea), Ok(spectrum)) = (self.load("sea.system"), self.build("sea.system", water)) else {
+            return Vec::new();
+        };
+        let [own_m, drawn_m] = [sea.variance_m2(), spectrum.variance_m2()].map(significant_height_m);
+        if (drawn_m - own_m).abs() <= 0.01 * own_m {
+            return Vec::new();
+        }
+        vec![format!(
+            "{} sums to {own_m:.2} m of significant height by its own bands, and to {drawn_m:.2} m between its few \
+             frequencies, which is what is drawn",
+            self.measured.display()
+        )]
     }
 
     /// The file's complaint, under the key that would mend it.

@@ -119,8 +119,7 @@ impl System {
                 },
             ),
             Form::Phillips(system) => system.warnings(dispersion),
-            // What was measured was there.
-            Form::Measured(_) => Vec::new(),
+            Form::Measured(system) => system.warnings(dispersion),
         }
     }
 

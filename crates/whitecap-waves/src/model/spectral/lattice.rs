@@ -77,8 +77,7 @@ impl Waves {
             for q in 0..half {
                 let k = spacing * libm::hypot(p as f64, q as f64);
                 if k > 0.0 {
-                    turns_per_s[p * half + q] =
-                        looped(water.dispersion.angular_frequency(k) / TAU, water.loop_s, 1.0);
+                    turns_per_s[p * half + q] = water.turns_per_s(k);
                     orbit[p * half + q] = (water.dispersion.orbit_ratio(k) / k) as f32;
                 }
             }
@@ -126,23 +125,13 @@ impl Waves {
 /// δ over (p, q), column by column; nothing in water at rest.
 fn drift(parameters: &SpectralTileParameters) -> Vec<f64> {
     let &SpectralTileParameters { tile_size_m, resolution: n, water, .. } = parameters;
-    let current = water.current_mps;
-    if current == DVec2::ZERO {
+    if water.current_mps == DVec2::ZERO {
         return Vec::new();
     }
-    let turns = |p: usize, q: usize| {
-        let turns_per_s = (p as f64 * current.x + f64::from(signed(n, q)) * current.y) / tile_size_m;
-        looped(turns_per_s, water.loop_s, 0.0)
-    };
+    let spacing = TAU / tile_size_m;
+    let turns =
+        |p: usize, q: usize| water.drift_turns_per_s(spacing * DVec2::new(p as f64, f64::from(signed(n, q))));
     (0..n / 2).flat_map(|p| (0..n).map(move |q| turns(p, q))).collect()
-}
-
-/// `turns_per_s` as it is, or the nearest that makes a whole number of turns in a loop of `loop_s`, `at_least` so
-/// many (Tessendorf 2001 takes the next lower one, which stops the longest waves).
-fn looped(turns_per_s: f64, loop_s: Option<f64>, at_least: f64) -> f64 {
-    let Some(loop_s) = loop_s else { return turns_per_s };
-    let turns = (turns_per_s * loop_s).round();
-    if turns.abs() < at_least { at_least / loop_s } else { turns / loop_s }
 }
 
 /// q from its place in a run: 0, 1 … N/2 − 1, −N/2 … −1.

@@ -42,6 +42,7 @@
 use crate::dispersion::Dispersion;
 use crate::error::{ParameterError, check};
 use glam::DVec2;
+use std::f64::consts::TAU;
 
 mod band;
 mod cascade;
@@ -89,6 +90,25 @@ pub struct Water {
 impl Water {
     /// Deep and at rest, for ever.
     pub const STILL: Self = Self { dispersion: Dispersion::DEEP, current_mps: DVec2::ZERO, loop_s: None };
+
+    /// ω/2π of waves of wave number `k` in rad/m, as they run here, in turns per second: in a loop the nearest that
+    /// closes.
+    pub fn turns_per_s(&self, k: f64) -> f64 {
+        self.looped(self.dispersion.angular_frequency(k) / TAU, 1.0)
+    }
+
+    /// k·U/2π of the wave vector `k` in rad/m: how often the current carries the wave past, in turns per second.
+    pub fn drift_turns_per_s(&self, k: DVec2) -> f64 {
+        self.looped(k.dot(self.current_mps) / TAU, 0.0)
+    }
+
+    /// `turns_per_s` as it is, or the nearest that makes a whole number of turns in a loop, `at_least` so many
+    /// (Tessendorf 2001 takes the next lower one, which stops the longest waves).
+    fn looped(&self, turns_per_s: f64, at_least: f64) -> f64 {
+        let Some(loop_s) = self.loop_s else { return turns_per_s };
+        let turns = (turns_per_s * loop_s).round();
+        if turns.abs() < at_least { at_least / loop_s } else { turns / loop_s }
+    }
 
     fn check(&self) -> Result<(), ParameterError> {
         for component in self.current_mps.to_array() {

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 use whitecap_scene::sea::SeaSurface;
-use whitecap_waves::dispersion::Dispersion;
+use whitecap_waves::model::spectral::Water;
 use whitecap_waves::model::{Surface, WaveModel};
 use whitecap_waves::statistics::{Moments, SeaStatistics, SlopeVariance, SpectralMoments, SurfaceStatistics};
 
@@ -19,13 +19,13 @@ pub(super) enum Measured {
 }
 
 impl Measured {
-    pub(super) fn of(sea: &mut SeaSurface, dispersion: Dispersion, current_mps: DVec2, time_s: f64) -> Self {
+    pub(super) fn of(sea: &mut SeaSurface, water: &Water, time_s: f64) -> Self {
         let mut tiles = tiles(sea);
         if tiles.is_empty() {
             return Self::at_places(&**sea, time_s);
         }
         let tiles = tiles.iter_mut().map(|tile| &mut **tile);
-        Self::Tiles(SurfaceStatistics::measure(tiles, dispersion, current_mps, time_s))
+        Self::Tiles(SurfaceStatistics::measure(tiles, water, time_s))
     }
 
     /// At places that fill the square evenly and on no lattice: multiples of the powers of the plastic number

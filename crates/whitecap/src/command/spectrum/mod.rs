@@ -20,7 +20,6 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use systems::Systems;
 use whitecap_scene::named;
-use whitecap_waves::model::spectral::Water;
 use whitecap_waves::statistics::{PolarSpectrum, WaveBand};
 
 const EXAMPLES: &str = "\
@@ -79,15 +78,15 @@ impl Spectrum {
                 scene.sea.model.word()
             )));
         }
-        let Water { dispersion, current_mps, .. } = scene.sea.water()?;
+        let water = scene.sea.water()?;
         let theory = if spectra.is_empty() {
             None
         } else {
-            let theory = PolarSpectrum::of(&spectra, dispersion, WaveBand::ALL);
+            let theory = PolarSpectrum::of(&spectra, water.dispersion, WaveBand::ALL);
             Some(theory.map_err(|error| Failure::Input(anyhow!("{}: {error}", self.scene)))?)
         };
         let mut surface = scene.sea.build(scene.seed)?;
-        let measured = Measured::of(&mut surface, dispersion, current_mps, self.time);
+        let measured = Measured::of(&mut surface, &water, self.time);
         let systems = Systems::of(&scene.sea);
         let report =
             Report::new(&self.scene, &scene, self.time, &systems, theory.as_ref(), &measured, &surface);
