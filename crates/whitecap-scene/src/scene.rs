@@ -9,9 +9,9 @@ use toml::de::DeTable;
 
 use crate::camera::Camera;
 use crate::error::SceneError;
-use crate::key::{Key, Seed, or};
+use crate::key::{Key, Seed, Tables, or};
 use crate::named;
-use crate::object::{Model, Object, Objects};
+use crate::object::{self, Model, Object};
 use crate::panorama::Panorama;
 use crate::reader::{Source, TableReader, did_you_mean, quoted_list};
 use crate::sea::Sea;
@@ -209,7 +209,7 @@ impl Scene {
 
 const SEED: crate::key::Or<Seed> = or(Seed, 0);
 
-const OBJECTS: crate::key::Or<Objects> = or(Objects, Vec::new());
+const OBJECTS: crate::key::Or<Tables<Object>> = or(object::OBJECTS, Vec::new());
 
 const TOO_LONG: &str = "longer than a scene file may be; accepted: up to 1 MiB";
 

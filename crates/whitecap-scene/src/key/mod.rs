@@ -12,6 +12,7 @@ mod number;
 mod pair;
 mod point;
 mod table;
+mod tables;
 mod text;
 mod word;
 
@@ -24,6 +25,7 @@ pub(crate) use pair::Pair;
 pub(crate) use point::Point;
 pub use table::WhenAbsent;
 pub(crate) use table::{Key, table};
+pub(crate) use tables::Tables;
 pub(crate) use text::{Moment, Name};
 pub(crate) use word::{OneOf, Word, Words, read_word, words};
 

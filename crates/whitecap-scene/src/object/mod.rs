@@ -9,8 +9,8 @@ pub use model::{Model, ground};
 use std::path::PathBuf;
 
 use crate::error::SceneError;
-use crate::key::{Accepts, File, Flag, Kind, OneOf, Point, Real, optional, or, table};
-use crate::reader::{TableReader, ValueReader};
+use crate::key::{File, Flag, OneOf, Point, Real, Tables, optional, or, table};
+use crate::reader::TableReader;
 
 table! {
     /// An object: a table `[[object]]`. It has either a `mesh` or a `file`.
@@ -48,24 +48,5 @@ impl Object {
 }
 
 /// The objects of a scene, `[[object]]`.
-pub(crate) struct Objects;
-
-impl Objects {
-    const MAX: usize = 64;
-}
-
-impl Kind for Objects {
-    type Value = Vec<Object>;
-
-    fn accepts(&self) -> Accepts {
-        Accepts::Tables { name: "object", min: 0, max: Self::MAX }
-    }
-
-    fn read(&self, value: &ValueReader<'_>) -> Result<Vec<Object>, SceneError> {
-        let objects = value.array().ok_or_else(|| value.wrong_type(&self.accepts().to_string()))?;
-        if objects.len() > Self::MAX {
-            return Err(value.error(format!("found {}; accepted: {}", objects.len(), self.accepts())));
-        }
-        objects.into_iter().map(|object| Object::read_checked(&object.table()?)).collect()
-    }
-}
+pub(crate) const OBJECTS: Tables<Object> =
+    Tables { name: "object", min: 0, max: 64, read: Object::read_checked };

@@ -2,7 +2,7 @@
 
 use whitecap_waves::model::sines::{self, SineWave, SumOfSines, SumOfSinesParameters};
 
-use super::wave::{Wave, Waves};
+use super::wave::{WAVES, Wave};
 use super::{SeaModel, SeaSurface};
 use crate::error::SceneError;
 use crate::key::{OneOf, Real, optional, or, table, words};
@@ -30,7 +30,7 @@ table! {
     /// A sum of four sines: the table `[sea]` with `model = "sines"`.
     pub struct SinesSettings {
         /// The waves, `[[sea.wave]]`.
-        wave: Option<Vec<Wave>> = optional(Waves, "those of the text");
+        wave: Option<Vec<Wave>> = optional(WAVES, "those of the text");
         /// How sine and cosine are calculated.
         taylor: Taylor = or(OneOf::<Taylor>::WORDS, Taylor::Printed);
         /// How far the waves tilt the normal, for each unit of height.

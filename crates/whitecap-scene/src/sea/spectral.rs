@@ -7,8 +7,8 @@ use whitecap_waves::model::spectral::{self, CascadeBudget, SpectralSea, Spectral
 use whitecap_waves::spectrum::{Profile, WaveSpectrum};
 use whitecap_waves::statistics::significant_height_m;
 
-use super::cascade::{Cascade, Cascades};
-use super::system::{System, Systems};
+use super::cascade::{CASCADES, Cascade};
+use super::system::{SYSTEMS, System};
 use super::{SeaModel, SeaSurface};
 use crate::error::SceneError;
 use crate::key::{Count, Flag, OneOf, PowerOfTwo, Real, optional, or, required, table, words};
@@ -57,13 +57,13 @@ table! {
         shortest_wave_m: Option<f64> =
             optional(Real { unit: "m", min: 0.001, max: 1000.0 }, "0.1 m");
         /// The tiles themselves, `[[sea.cascade]]`, in place of the four keys above.
-        cascade: Option<Vec<Cascade>> = optional(Cascades, "chosen by the spectrum");
+        cascade: Option<Vec<Cascade>> = optional(CASCADES, "chosen by the spectrum");
         /// How far crests are drawn together: 0 leaves them round, 1 is what linear theory says.
         choppiness: f64 = or(Real { unit: "", min: 0.0, max: 3.0 }, 1.0);
         /// How the waves' amplitudes are drawn.
         amplitudes: Amplitudes = or(OneOf::<Amplitudes>::WORDS, Amplitudes::Deterministic);
         /// The wave systems, `[[sea.system]]`; their variances add.
-        system: Vec<System> = required(Systems);
+        system: Vec<System> = required(SYSTEMS);
     }
 }
 

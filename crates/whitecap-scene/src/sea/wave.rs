@@ -1,8 +1,6 @@
 //! One of the waves of a sum of sines: a table `[[sea.wave]]`.
 
-use crate::error::SceneError;
-use crate::key::{Accepts, Key, Kind, Pair, Real, or, required, table};
-use crate::reader::ValueReader;
+use crate::key::{Key, Pair, Real, Tables, or, required, table};
 
 table! {
     /// A sine: a table `[[sea.wave]]`. A phase counts in turns: at 1 the wave is where it was at 0.
@@ -22,25 +20,4 @@ table! {
 pub(crate) const KEYS: fn() -> Vec<Key> = Wave::keys;
 
 /// Exactly four waves: the shader calculates them in one register.
-pub(super) struct Waves;
-
-impl Waves {
-    const COUNT: usize = 4;
-}
-
-impl Kind for Waves {
-    type Value = Vec<Wave>;
-
-    fn accepts(&self) -> Accepts {
-        Accepts::Tables { name: "sea.wave", min: Self::COUNT, max: Self::COUNT }
-    }
-
-    fn read(&self, value: &ValueReader<'_>) -> Result<Vec<Wave>, SceneError> {
-        let wrong_type = || value.wrong_type(&self.accepts().to_string());
-        let waves = value.array().ok_or_else(wrong_type)?;
-        if waves.len() != Self::COUNT {
-            return Err(value.error(format!("found {}; accepted: {}", waves.len(), self.accepts())));
-        }
-        waves.into_iter().map(|wave| Wave::read(&wave.table()?)).collect()
-    }
-}
+pub(super) const WAVES: Tables<Wave> = Tables { name: "sea.wave", min: 4, max: 4, read: Wave::read };

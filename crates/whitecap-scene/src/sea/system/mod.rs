@@ -28,8 +28,8 @@ pub use tma::TmaSystem;
 use parametric::Parametric;
 
 use crate::error::SceneError;
-use crate::key::{Accepts, Key, Kind};
-use crate::reader::{TableReader, ValueReader};
+use crate::key::{Key, Tables};
+use crate::reader::TableReader;
 use crate::registry::{Registered, Tag, TagDefault};
 
 /// One wave system, a table `[[sea.system]]`. It serialises as that table.
@@ -173,25 +173,4 @@ enum Form<'a> {
 }
 
 /// One to eight wave systems.
-pub(super) struct Systems;
-
-impl Systems {
-    const MAX: usize = 8;
-}
-
-impl Kind for Systems {
-    type Value = Vec<System>;
-
-    fn accepts(&self) -> Accepts {
-        Accepts::Tables { name: "sea.system", min: 1, max: Self::MAX }
-    }
-
-    fn read(&self, value: &ValueReader<'_>) -> Result<Vec<System>, SceneError> {
-        let wrong_type = || value.wrong_type(&self.accepts().to_string());
-        let systems = value.array().ok_or_else(wrong_type)?;
-        if !(1..=Self::MAX).contains(&systems.len()) {
-            return Err(value.error(format!("found {}; accepted: {}", systems.len(), self.accepts())));
-        }
-        systems.into_iter().map(|system| System::read(&system.table()?)).collect()
-    }
-}
+pub(super) const SYSTEMS: Tables<System> = Tables { name: "sea.system", min: 1, max: 8, read: System::read };
