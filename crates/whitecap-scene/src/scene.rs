@@ -169,8 +169,7 @@ impl Scene {
 
     /// Sees whether the sea can be built, and what it bends.
     fn build_once(&mut self) -> Result<(), SceneError> {
-        let surface = self.sea.build(self.seed)?;
-        self.warnings = self.sea.warnings(&surface);
+        self.warnings = self.sea.warnings(self.seed)?;
         Ok(())
     }
 

@@ -131,9 +131,15 @@ fn directions_asked_for() {
     }
 }
 
+fn warnings_over(lines: &str, water: &Dispersion) -> Vec<String> {
+    let system = system(lines);
+    let spectrum = system.build("sea.system[0]", water).unwrap();
+    system.warnings(water, &*spectrum)
+}
+
 #[test]
 fn warnings_about_seas_that_are_not_found() {
-    let warnings = |lines: &str| system(lines).warnings(&DEEP);
+    let warnings = |lines: &str| warnings_over(lines, &DEEP);
     for usual in [
         "spectrum = 'jonswap'; wind_speed_mps = 12; fetch_km = 300",
         "spectrum = 'jonswap'; wind_speed_mps = 12",
@@ -159,6 +165,6 @@ fn warnings_about_seas_that_are_not_found() {
     one("spectrum = 'jonswap'; sea_state = 4; gamma = 8", &["gamma = 8", "1 to 7"]);
     one("spectrum = 'jonswap'; wind_speed_mps = 8; fetch_km = 5000", &["fetch_km = 5000", "111 km"]);
     let shallow = Dispersion::at_depth(3.0).unwrap();
-    let found = system("spectrum = 'jonswap'; sea_state = 4; gamma = 1").warnings(&shallow);
+    let found = warnings_over("spectrum = 'jonswap'; sea_state = 4; gamma = 1", &shallow);
     assert!(found.len() == 1 && found[0].contains("depth_m = 3") && found[0].contains("1.80 m"), "{found:?}");
 }

@@ -116,12 +116,16 @@ impl Sea {
         }
     }
 
-    /// Where `surface`, built from this sea, bends what was asked for, such as energy that its tiles cannot carry:
-    /// one sentence each, with the figure and what to change.
-    pub fn warnings(&self, surface: &SeaSurface) -> Vec<String> {
-        match (&self.model, surface) {
-            (SeaModel::Spectral(settings), SeaSurface::Spectral(sea)) => settings.warnings(sea),
-            _ => Vec::new(),
+    /// Builds the sea, and says where it bends what was asked for, such as energy that its tiles cannot carry: one
+    /// sentence each, with the figure and what to change.
+    ///
+    /// # Errors
+    ///
+    /// As [`build`](Self::build).
+    pub fn warnings(&self, seed: u64) -> Result<Vec<String>, SceneError> {
+        match &self.model {
+            SeaModel::Spectral(settings) => settings.warnings(&self.tiling, seed),
+            _ => self.build(seed).map(|_| Vec::new()),
         }
     }
 

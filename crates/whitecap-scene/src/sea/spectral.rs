@@ -171,9 +171,18 @@ impl SpectralSettings {
     }
 
     pub(super) fn build(&self, tiling: &Tiling, seed: u64) -> Result<SeaSurface, SceneError> {
-        let spectra = self.spectra()?;
+        let sea = self.sea_of(&self.spectra()?, tiling, seed)?;
+        Ok(SeaSurface::Spectral(Box::new(sea)))
+    }
+
+    fn sea_of(
+        &self,
+        spectra: &[Box<dyn WaveSpectrum>],
+        tiling: &Tiling,
+        seed: u64,
+    ) -> Result<SpectralSea, SceneError> {
         let parameters = SpectralSeaParameters {
-            cascades: self.cascades(&spectra, tiling),
+            cascades: self.cascades(spectra, tiling),
             choppiness: self.choppiness,
             water: self.water()?,
             seed,
@@ -182,15 +191,13 @@ impl SpectralSettings {
                 Amplitudes::Gaussian => spectral::Amplitudes::Gaussian,
             },
         };
-        match SpectralSea::new(parameters, &spectra) {
-            Ok(sea) => Ok(SeaSurface::Spectral(Box::new(sea))),
-            Err(error) => Err(problem(&error)),
-        }
+        SpectralSea::new(parameters, spectra).map_err(|error| problem(&error))
     }
 
-    /// Where `sea`, built from these settings, bends what was asked for: one sentence each.
-    pub(super) fn warnings(&self, sea: &SpectralSea) -> Vec<String> {
-        let Ok(spectra) = self.spectra() else { return Vec::new() };
+    /// Where the sea of these settings bends what was asked for: one sentence each.
+    pub(super) fn warnings(&self, tiling: &Tiling, seed: u64) -> Result<Vec<String>, SceneError> {
+        let spectra = self.spectra()?;
+        let sea = &self.sea_of(&spectra, tiling, seed)?;
         let captured = sea.captured_fractions().into_iter().zip(spectra.iter().map(|spectrum| &**spectrum));
         let lost = |(index, (captured, spectrum)): (usize, (f64, &dyn WaveSpectrum))| {
             if captured >= FULL {
@@ -205,8 +212,8 @@ impl SpectralSettings {
                 self.remedy(sea, &Profile::of(&spectrum)),
             ))
         };
-        let unusual = self.system.iter().enumerate().flat_map(|(index, system)| {
-            let warnings = system.warnings(&sea.parameters().water.dispersion);
+        let unusual = self.system.iter().zip(&spectra).enumerate().flat_map(|(index, (system, spectrum))| {
+            let warnings = system.warnings(&sea.parameters().water.dispersion, spectrum);
             warnings.into_iter().map(move |warning| format!("sea.system[{index}]: {warning}"))
         });
         let hurried = |(index, spectrum)| {
@@ -227,7 +234,7 @@ impl SpectralSettings {
             })
         };
         let hurried = spectra.iter().enumerate().filter_map(hurried);
-        unusual.chain(captured.enumerate().filter_map(lost)).chain(hurried).collect()
+        Ok(unusual.chain(captured.enumerate().filter_map(lost)).chain(hurried).collect())
     }
 
     /// What would make the rest of a spectrum fit.

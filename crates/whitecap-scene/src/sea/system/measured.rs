@@ -92,12 +92,16 @@ impl MeasuredSystem {
         }
     }
 
+    /// The significant height of the record, by the sum that its own format prescribes; `None` if it cannot be read.
+    pub(super) fn significant_height_m(&self) -> Option<f64> {
+        let record = self.load("sea.system").ok()?;
+        Some(significant_height_m(record.variance_m2()))
+    }
+
     /// Where the energy between the file's frequencies is not what the file's own sum says, as with few of them.
-    pub(super) fn warnings(&self, water: &Dispersion) -> Vec<String> {
-        let (Ok(sea), Ok(spectrum)) = (self.load("sea.system"), self.build("sea.system", water)) else {
-            return Vec::new();
-        };
-        let [own_m, drawn_m] = [sea.variance_m2(), spectrum.variance_m2()].map(significant_height_m);
+    pub(super) fn warnings(&self, spectrum: &dyn WaveSpectrum) -> Vec<String> {
+        let Some(own_m) = self.significant_height_m() else { return Vec::new() };
+        let drawn_m = significant_height_m(spectrum.variance_m2());
         if (drawn_m - own_m).abs() <= 0.01 * own_m {
             return Vec::new();
         }

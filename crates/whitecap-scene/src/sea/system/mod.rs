@@ -107,9 +107,9 @@ impl System {
         }
     }
 
-    /// What of it can be drawn but is not found at sea, in sentences without a full stop; empty for a usual sea
-    /// and for one that cannot be built.
-    pub fn warnings(&self, dispersion: &Dispersion) -> Vec<String> {
+    /// What of it can be drawn but is not found at sea, in sentences without a full stop; empty for a usual sea.
+    /// `spectrum` is the one that it [builds](Self::build).
+    pub fn warnings(&self, dispersion: &Dispersion, spectrum: &dyn WaveSpectrum) -> Vec<String> {
         match self.form() {
             Form::Parametric(system) => system.sea(dispersion).map_or_else(
                 |_| Vec::new(),
@@ -119,7 +119,7 @@ impl System {
                 },
             ),
             Form::Phillips(system) => system.warnings(dispersion),
-            Form::Measured(system) => system.warnings(dispersion),
+            Form::Measured(system) => system.warnings(spectrum),
         }
     }
 
