@@ -5,7 +5,7 @@
 use glam::DVec2;
 use whitecap_scene::Scene;
 use whitecap_scene::sea::SeaModel;
-use whitecap_scene::sea::system::System;
+use whitecap_scene::sea::system::{System, TmaSystem};
 use whitecap_waves::dispersion::Dispersion;
 use whitecap_waves::spectrum::WaveSpectrum;
 use whitecap_waves::statistics::significant_height_m;
@@ -87,18 +87,7 @@ fn a_calm_is_flat() {
 fn depth_lowers_the_sea() {
     let lines = "spectrum = 'jonswap'; wind_speed_mps = 10; fetch_km = 100; spreading = { cos2s = 4.0 }";
     let System::Jonswap(deep) = system(lines) else { panic!() };
-    let shallow = System::Tma(whitecap_scene::sea::system::TmaSystem {
-        wind_speed_mps: deep.wind_speed_mps,
-        fetch_km: deep.fetch_km,
-        significant_height_m: None,
-        peak_period_s: None,
-        gamma: deep.gamma,
-        sea_state: None,
-        beaufort: None,
-        from_deg: deep.from_deg,
-        spreading: deep.spreading,
-        swell: deep.swell,
-    });
+    let shallow = System::Tma(TmaSystem(deep));
     let height = |depth_m: f64| {
         let water = Dispersion::at_depth(depth_m).unwrap();
         significant_height_m(shallow.build("sea.system[0]", &water).unwrap().variance_m2())

@@ -35,7 +35,7 @@ pub(super) const PERIOD_OF_HEIGHT: &str = "that of the fully developed sea of th
 /// The keys that say it by themselves; a system has exactly one of them.
 const WAYS: [&str; 4] = ["wind_speed_mps", "significant_height_m", "sea_state", "beaufort"];
 
-/// Those of the keys that a system has. Of several ways, which no file can say, the first counts.
+/// Those of the keys that a system has. A wind counts before a height.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Asked {
     pub(super) wind_speed_mps: Option<f64>,
@@ -57,19 +57,31 @@ pub(super) enum Way {
 const FLAT_PERIOD_S: f64 = 1.0;
 
 impl Asked {
+    /// The wind that it speaks of, in m/s.
+    pub(super) fn wind_mps(&self) -> Result<Option<f64>, ParameterError> {
+        match self.wind_speed_mps {
+            Some(speed_mps) => Ok(Some(speed_mps)),
+            None => self.beaufort.map(sea_state::beaufort_wind_mps).transpose(),
+        }
+    }
+
+    /// The significant height that it speaks of, in metres.
+    pub(super) fn height_m(&self) -> Result<Option<f64>, ParameterError> {
+        match self.significant_height_m {
+            Some(height_m) => Ok(Some(height_m)),
+            None => self.sea_state.map(sea_state::significant_height_m).transpose(),
+        }
+    }
+
     pub(super) fn way(&self) -> Result<Way, ParameterError> {
         let height = |height_m: f64, period_s: Option<f64>| {
             let natural = if height_m > 0.0 { fully_developed_period_s(height_m) } else { FLAT_PERIOD_S };
             Ok(Way::Height { height_m, period_s: period_s.unwrap_or(natural) })
         };
-        let speed_mps = match (self.wind_speed_mps, self.significant_height_m) {
+        let speed_mps = match (self.wind_mps()?, self.height_m()?) {
             (Some(speed_mps), _) => speed_mps,
             (None, Some(height_m)) => return height(height_m, self.peak_period_s),
-            (None, None) => match (self.sea_state, self.beaufort) {
-                (Some(code), _) => return height(sea_state::significant_height_m(code)?, None),
-                (None, Some(number)) => sea_state::beaufort_wind_mps(number)?,
-                (None, None) => 0.0,
-            },
+            (None, None) => 0.0,
         };
         if speed_mps == 0.0 {
             return height(0.0, None);

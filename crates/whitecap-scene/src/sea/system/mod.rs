@@ -25,6 +25,7 @@ pub use pierson_moskowitz::PiersonMoskowitzSystem;
 pub use spreading::{Spreading, SpreadingLaw};
 pub use tma::TmaSystem;
 
+use asked::Asked;
 use parametric::Parametric;
 
 use crate::error::SceneError;
@@ -50,6 +51,19 @@ pub enum System {
     /// A measured sea: `measured` stands in place of `spectrum`.
     #[serde(untagged)]
     Measured(MeasuredSystem),
+}
+
+/// What a wave system says of its sea by itself; `None` where it leaves it to its spectrum.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
+pub struct Requested {
+    /// By itself, as the height of a sea state, or as the sum of a measured record.
+    pub significant_height_m: Option<f64>,
+    /// By itself.
+    pub peak_period_s: Option<f64>,
+    /// The bearing that its waves come from.
+    pub from_deg: Option<f64>,
+    /// By itself, or as that of a Beaufort number.
+    pub wind_speed_mps: Option<f64>,
 }
 
 /// Every spectrum.
@@ -104,6 +118,25 @@ impl System {
         match self.form() {
             Form::Parametric(system) => system.sea(dispersion).map(Some),
             Form::Phillips(_) | Form::Measured(_) => Ok(None),
+        }
+    }
+
+    /// What it says of its sea before any spectrum is made of it.
+    pub fn requested(&self) -> Requested {
+        let of = |asked: Asked, from_deg: f64| Requested {
+            significant_height_m: asked.height_m().ok().flatten(),
+            peak_period_s: asked.peak_period_s,
+            from_deg: Some(from_deg),
+            wind_speed_mps: asked.wind_mps().ok().flatten(),
+        };
+        match self.form() {
+            Form::Parametric(system) => of(system.asked(), system.spread().from_deg),
+            Form::Phillips(system) => of(system.asked(), system.from_deg),
+            Form::Measured(system) => Requested {
+                significant_height_m: system.significant_height_m(),
+                from_deg: system.from_deg,
+                ..Requested::default()
+            },
         }
     }
 

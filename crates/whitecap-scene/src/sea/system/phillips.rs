@@ -62,7 +62,7 @@ impl PhillipsSystem {
         warnings::about(&self.asked(), height_m, period_s, None, dispersion)
     }
 
-    fn asked(&self) -> Asked {
+    pub(super) fn asked(&self) -> Asked {
         Asked {
             wind_speed_mps: self.wind_speed_mps,
             beaufort: self.beaufort,

@@ -22,6 +22,17 @@ pub(crate) struct Sums {
 }
 
 impl Sums {
+    /// Adds the shape of a wave `k` whose height is the real part `re` of a number with the imaginary part `im`: the
+    /// wave a quarter of its length on. `lean` is its reach along over its height, for each rad/m.
+    pub(crate) fn add_shape(&mut self, k: DVec2, lean: f64, re: f64, im: f64) {
+        self.height += re;
+        self.slope -= k * im;
+        self.shift -= k * (lean * im);
+        self.gradient[0] -= k.x * k.x * lean * re;
+        self.gradient[1] -= k.x * k.y * lean * re;
+        self.gradient[2] -= k.y * k.y * lean * re;
+    }
+
     /// The surface that they make, on a current in m/s.
     pub(crate) fn surface(&self, current_mps: DVec2) -> SurfacePoint {
         let [gxx, gxz, gzz] = self.gradient;
@@ -105,12 +116,7 @@ pub(super) fn sums(
             let omega = TAU * turns_per_s;
             let (along, up) = parameters.water.dispersion.orbits_below(length, depth_m);
 
-            sums.height += re;
-            sums.slope -= k * im;
-            sums.shift -= k * (lean * im);
-            sums.gradient[0] -= k.x * k.x * lean * re;
-            sums.gradient[1] -= k.x * k.y * lean * re;
-            sums.gradient[2] -= k.y * k.y * lean * re;
+            sums.add_shape(k, lean, re, im);
             let horizontal = -k / length * (along * omega * rate_im);
             sums.velocity += DVec3::new(horizontal.x, up * omega * rate_re, horizontal.y);
         }

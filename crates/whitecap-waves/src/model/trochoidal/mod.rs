@@ -154,12 +154,7 @@ impl Surface for Trochoidal {
             // The orbit's horizontal part is lean · k/|k|; its derivative by x brings another k.
             let lean = wave.lean / k.length();
 
-            sums.height += re;
-            sums.slope -= k * im;
-            sums.shift -= k * (lean * im);
-            sums.gradient[0] -= k.x * k.x * lean * re;
-            sums.gradient[1] -= k.x * k.y * lean * re;
-            sums.gradient[2] -= k.y * k.y * lean * re;
+            sums.add_shape(k, lean, re, im);
             let omega = TAU * wave.frequency_hz;
             let along = k / k.length() * (wave.orbit_ratio * omega * re);
             sums.velocity += DVec3::new(along.x, omega * im, along.y);
