@@ -93,6 +93,21 @@ pub struct Build<'a> {
     pub toward_sun: glam::Vec3,
 }
 
+#[cfg(test)]
+impl<'a> Build<'a> {
+    /// Under white light of irradiance 1 from straight above, for tests.
+    pub(crate) fn under_white_light(
+        device: &'a wgpu::Device,
+        queue: &'a wgpu::Queue,
+        scene: &'a Scene,
+        shared: &'a Shared,
+        objects: &'a Objects,
+    ) -> Self {
+        let (irradiance, toward_sun) = (glam::Vec3::ONE, glam::Vec3::Y);
+        Self { device, queue, scene, shared, objects, backend: None, irradiance, daylight: 1.0, toward_sun }
+    }
+}
+
 impl Build<'_> {
     /// Whether a processor does the drawing: then triangles and filtered samples are dear.
     pub(crate) fn is_software(&self) -> bool {

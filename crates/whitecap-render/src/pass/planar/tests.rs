@@ -6,7 +6,7 @@ use crate::environment::Environment;
 use crate::gpu::{Gpu, for_tests::gpu, read_texture};
 use crate::pass::Objects;
 use crate::uniforms::Shared;
-use glam::{DVec3, Vec2, Vec3, Vec4Swizzles};
+use glam::{DVec3, Vec2, Vec4Swizzles};
 use std::sync::Arc;
 use whitecap_scene::Scene;
 use whitecap_scene::mesh::Mesh;
@@ -91,17 +91,7 @@ fn render(gpu: &Gpu, models: Vec<Model>, settings: PlanarSettings, views: &[View
     let environment = Environment::new(&scene).unwrap();
     let shared = Shared::new(device, queue, &environment, TargetFormat::default());
     let objects = Objects::of_models(device, queue, models, None);
-    let build = Build {
-        device,
-        queue,
-        scene: &scene,
-        shared: &shared,
-        objects: &objects,
-        backend: None,
-        irradiance: Vec3::ONE,
-        daylight: 1.0,
-        toward_sun: Vec3::Y,
-    };
+    let build = Build::under_white_light(device, queue, &scene, &shared, &objects);
     let mut pass = PlanarPass::new(&build, settings);
     objects.prepare(queue, views, 0.0);
     let mut encoder = device.create_command_encoder(&Default::default());

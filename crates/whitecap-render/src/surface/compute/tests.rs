@@ -15,7 +15,6 @@ use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
 mod maps;
 mod one_wave;
 mod phases;
-mod timing;
 
 /// A sea with waves in all directions, on a current.
 fn sea(resolution: usize, choppiness: f64) -> SpectralTile {

@@ -68,15 +68,9 @@ fn with_backend(
     let objects = Objects::new(device, queue, &scene).unwrap();
     let whitecap_scene::Technique::Meshuggah(settings) = &scene.technique else { panic!() };
     let build = Build {
-        device,
-        queue,
-        scene: &scene,
-        shared: &shared,
-        objects: &objects,
         backend,
-        irradiance: Vec3::ONE,
-        daylight: 1.0,
         toward_sun: TOWARD_SUN,
+        ..Build::under_white_light(device, queue, &scene, &shared, &objects)
     };
 
     let technique = Meshuggah::new(&build, settings).unwrap();
@@ -107,9 +101,8 @@ fn read_vertices(
     grid: &[[f32; 2]],
 ) -> Vec<[[f32; 4]; 2]> {
     let Fixture { scene, shared, objects, technique } = fixture;
-    let (irradiance, daylight, toward_sun) = (Vec3::ONE, 1.0, TOWARD_SUN);
-    let backend = None;
-    let build = Build { device, queue, scene, shared, objects, backend, irradiance, daylight, toward_sun };
+    let build =
+        Build { toward_sun: TOWARD_SUN, ..Build::under_white_light(device, queue, scene, shared, objects) };
     let layout = group_layout(device);
     let colors = super::gpu::water_colors(&technique.settings, Vec3::ONE, 0.3);
     let group = bind_group(&build, &layout, &technique.maps, &technique.slots, &colors);

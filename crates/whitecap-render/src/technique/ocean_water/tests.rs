@@ -195,17 +195,7 @@ fn with_technique(scene: &Scene, test: impl FnOnce(&Gpu, OceanWater)) {
     let shared = Shared::new(device, queue, environment(), TargetFormat::default());
     let objects = Objects::new(device, queue, scene).unwrap();
     let whitecap_scene::Technique::OceanWater(settings) = &scene.technique else { panic!() };
-    let build = Build {
-        device,
-        queue,
-        scene,
-        shared: &shared,
-        objects: &objects,
-        backend: None,
-        irradiance: Vec3::ONE,
-        daylight: 1.0,
-        toward_sun: Vec3::Y,
-    };
+    let build = Build::under_white_light(device, queue, scene, &shared, &objects);
     let technique = OceanWater::new(&build, settings).unwrap();
     test(gpu, technique);
 }

@@ -55,17 +55,7 @@ fn fixture(edit: impl Fn(&mut Scene), eye_m: DVec3, time_s: f64) -> Option<Fixtu
     let environment = Environment::new(&scene).unwrap();
     let shared = Shared::new(device, queue, &environment, TargetFormat::default());
     let objects = Objects::new(device, queue, &scene).unwrap();
-    let build = Build {
-        device,
-        queue,
-        scene: &scene,
-        shared: &shared,
-        objects: &objects,
-        backend: None,
-        irradiance: Vec3::ONE,
-        daylight: 1.0,
-        toward_sun: Vec3::Y,
-    };
+    let build = Build::under_white_light(device, queue, &scene, &shared, &objects);
     let whitecap_scene::Technique::ProjectedGrid(settings) = &scene.technique else { panic!() };
     let mut technique = ProjectedGrid::new(&build, settings).unwrap();
     let look_at_m = (eye_m + DVec3::new(3.0, -2.0, -10.0)).to_array();

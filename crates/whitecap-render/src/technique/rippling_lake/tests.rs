@@ -68,15 +68,8 @@ impl<'g> Fixture<'g> {
     fn lake(gpu: &Gpu, scene: &Scene, shared: &Shared, objects: &Objects) -> RipplingLake {
         let whitecap_scene::Technique::RipplingLake(settings) = &scene.technique else { panic!() };
         let build = Build {
-            device: &gpu.device,
-            queue: &gpu.queue,
-            scene,
-            shared,
-            objects,
-            backend: None,
-            irradiance: Vec3::ONE,
-            daylight: 1.0,
             toward_sun: TOWARD_SUN,
+            ..Build::under_white_light(&gpu.device, &gpu.queue, scene, shared, objects)
         };
         RipplingLake::new(&build, settings).unwrap()
     }

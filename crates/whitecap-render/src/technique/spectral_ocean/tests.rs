@@ -51,15 +51,8 @@ fn with_technique(scene: &Scene, test: impl FnOnce(&wgpu::Device, &wgpu::Queue, 
     let objects = Objects::new(device, queue, scene).unwrap();
     let whitecap_scene::Technique::SpectralOcean(settings) = &scene.technique else { panic!() };
     let build = Build {
-        device,
-        queue,
-        scene,
-        shared: &shared,
-        objects: &objects,
-        backend: None,
-        irradiance: Vec3::ONE,
-        daylight: 1.0,
         toward_sun: Vec3::new(0.954, 0.3, 0.0),
+        ..Build::under_white_light(device, queue, scene, &shared, &objects)
     };
     test(device, queue, SpectralOcean::new(&build, settings).unwrap());
 }

@@ -71,17 +71,7 @@ fn drawn(
     edit(&mut scene);
     let shared = Shared::new(device, queue, environment(), target);
     let objects = Objects::of_models(device, queue, models, None);
-    let build = Build {
-        device,
-        queue,
-        scene: &scene,
-        shared: &shared,
-        objects: &objects,
-        backend: None,
-        irradiance: Vec3::ONE,
-        daylight: 1.0,
-        toward_sun: Vec3::Y,
-    };
+    let build = Build::under_white_light(device, queue, &scene, &shared, &objects);
     let whitecap_scene::Technique::ProjectedGrid(settings) = &scene.technique else { panic!() };
     let mut technique = ProjectedGrid::new(&build, settings).unwrap();
     shared.write_views(queue, &[view]).unwrap();
