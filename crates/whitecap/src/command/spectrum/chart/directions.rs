@@ -1,10 +1,9 @@
 //! How the energy is spread over the directions that waves come from.
 
-use super::frequencies::decimals;
-use super::style::{Anchor, FAINT, GRID, HEADING, INK, LABEL, SURFACE, THEORY, written};
-use super::{Area, Drawn, Figure};
+use super::style::{SURFACE, THEORY};
+use super::{Area, Drawn, Figure, axes};
 use glam::DVec2;
-use plotters::prelude::{AreaSeries, ChartBuilder, Color, DrawingBackend, LineSeries, PathElement, Text};
+use plotters::prelude::{AreaSeries, Color, DrawingBackend, LineSeries, PathElement};
 use std::f64::consts::TAU;
 use whitecap_waves::direction::nautical_from_toward;
 
@@ -28,30 +27,9 @@ pub(super) fn draw<DB: DrawingBackend>(figure: &Figure<'_>, area: &Area<DB>) -> 
     let sectors = figure.surface.sectors(SECTORS);
     let most = theory.iter().map(|sample| sample.1).chain(sectors.iter().map(|&energy| share(energy)));
     let most = most.fold(0.0, f64::max);
-    let most = if most > 0.0 { 1.1 * most } else { 1.0 };
-
-    let heading = "Energy by direction, % per degree";
-    area.draw(&Text::new(heading, (60, 30), written(HEADING, INK, Anchor::Left)))?;
-    let mut chart = ChartBuilder::on(area)
-        .margin_top(70)
-        .margin_left(20)
-        .margin_right(60)
-        .margin_bottom(60)
-        .x_label_area_size(60)
-        .y_label_area_size(120)
-        .build_cartesian_2d(0.0..360.0 / STEP_DEG, 0.0..most)?;
-    let decimals = decimals(most);
-    chart
-        .configure_mesh()
-        .light_line_style(GRID.mix(0.0))
-        .bold_line_style(GRID.stroke_width(2))
-        .axis_style(FAINT.stroke_width(2))
-        .label_style(written(LABEL, FAINT, Anchor::Middle))
-        .x_labels(9)
-        .y_labels(7)
-        .x_label_formatter(&|steps| format!("{:.0}°", steps * STEP_DEG))
-        .y_label_formatter(&|share| format!("{share:.decimals$}"))
-        .draw()?;
+    let words = ["Energy by direction, % per degree", "direction that waves come from, clockwise from north"];
+    let mark = |steps: &f64| format!("{:.0}°", steps * STEP_DEG);
+    let mut chart = axes::draw(area, words, 360.0 / STEP_DEG, &mark, most)?;
     let placed = || theory.iter().map(|&(bearing, share)| (bearing / STEP_DEG, share));
     chart.draw_series(AreaSeries::new(placed(), 0.0, THEORY.mix(0.12)))?;
     chart.draw_series(LineSeries::new(placed(), THEORY.stroke_width(5)))?;
@@ -71,10 +49,7 @@ pub(super) fn draw<DB: DrawingBackend>(figure: &Figure<'_>, area: &Area<DB>) -> 
             }
         }
     }
-    let (width, height) = area.dim_in_pixel();
-    let below = written(LABEL, FAINT, Anchor::Middle);
-    let place = ((width as i32 + 80) / 2, height as i32 - 40);
-    area.draw(&Text::new("direction that waves come from, clockwise from north", place, below))
+    Ok(())
 }
 
 /// The samples by rising bearing, from 0 to 360 with both.

@@ -3,6 +3,7 @@
 //! It is laid out on 2400 × 1600 units and shown on half as many pixels, so that coordinates, which plotters has
 //! whole, fall on halves of pixels.
 
+mod axes;
 mod bitmap;
 mod compass;
 mod directions;
