@@ -45,6 +45,12 @@ impl NormalLevel {
         NormalLevel { size, normals: mean(&self.normals), moments: mean(&self.moments) }
     }
 
+    /// The mean slope (x, z) of texel `i`.
+    pub(super) fn slope(&self, i: usize) -> [f32; 2] {
+        let [x, z, _] = self.moments[i];
+        [x, z]
+    }
+
     fn lost(&self, i: usize) -> f32 {
         let [x, z, square] = self.moments[i];
         (square - x * x - z * z).max(0.0)

@@ -2,7 +2,7 @@
 
 use super::backend::{Backend, evolved_on_device};
 use super::compute::SpectralMaps;
-use super::normal_level::{NormalLevel, slope_of};
+use super::normal_level::NormalLevel;
 use crate::gpu::resources::{buffer, texture_2d, write_level};
 use crate::{RenderError, gpu::checked};
 use glam::DVec2;
@@ -74,11 +74,11 @@ impl TileTextures {
             })
             .collect();
         write_level(queue, &self.displacement, 0, bytemuck::cast_slice(&displacement));
+        let mut level = NormalLevel::of(fields);
         let slopes: Vec<[f32; 2]> =
-            (0..mesh * mesh).into_par_iter().map(|i| slope_of(fields.normal(sample(i)))).collect();
+            (0..mesh * mesh).into_par_iter().map(|i| level.slope(sample(i))).collect();
         write_level(queue, &self.slopes, 0, bytemuck::cast_slice(&slopes));
 
-        let mut level = NormalLevel::of(fields);
         let mut lost_variance = [0.0; MAX_LEVELS];
         for mip in 0..=n.ilog2() {
             lost_variance[mip as usize..].fill(level.mean_lost_variance());
