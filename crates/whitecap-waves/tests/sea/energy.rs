@@ -3,11 +3,15 @@
 use crate::{TILE, WIND, one_wave, wind_sea};
 use glam::DVec2;
 use std::f64::consts::TAU;
-use whitecap_waves::model::spectral::{Amplitudes, SpectralTile, SpectralTileParameters};
+use whitecap_waves::dispersion::Dispersion;
+use whitecap_waves::model::spectral::{Amplitudes, SpectralTile, SpectralTileParameters, Water};
 use whitecap_waves::model::{Surface, TileFields, WaveModel};
 use whitecap_waves::spectrum::WaveSpectrum;
+use whitecap_waves::spectrum::directional::{Directional, DirectionalParameters};
+use whitecap_waves::spectrum::jonswap::Jonswap;
 use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
-use whitecap_waves::statistics::{Moments, significant_height_m};
+use whitecap_waves::spreading::{Spread, Spreading};
+use whitecap_waves::statistics::{LatticeWaves, Moments, significant_height_m};
 
 fn measured_variance(sea: &mut SpectralTile, time_s: f64) -> f64 {
     let mut fields = TileFields::default();
@@ -91,15 +95,87 @@ fn gaussian_seas_have_it_on_average_and_differ() {
     assert!((0.03..0.3).contains(&spread), "{spread}");
 }
 
-/// Where waves run against each other they interfere: the variance swings, but not its mean over time.
+/// Where waves run against each other they interfere, and a Gaussian sea has them: the variance swings, but not its mean
+/// over time.
 #[test]
-fn opposing_waves_have_it_on_average() {
+fn opposing_gaussian_waves_have_it_on_average() {
     let wind = PhillipsParameters { opposing_energy: 1.0, ..WIND };
-    let mut sea = wind_sea(SpectralTileParameters { resolution: 32, ..TILE }, wind);
-    let times = 200;
-    let mean =
-        (0..times).map(|i| measured_variance(&mut sea, 7.3 * f64::from(i))).sum::<f64>() / f64::from(times);
-    assert!((mean / sea.variance_m2() - 1.0).abs() < 0.03, "{}", mean / sea.variance_m2());
+    let tile = SpectralTileParameters { resolution: 32, amplitudes: Amplitudes::Gaussian, ..TILE };
+    let mut sea = wind_sea(tile, wind);
+    let all: Vec<f64> = (0..200).map(|i| measured_variance(&mut sea, 7.3 * f64::from(i))).collect();
+    let over_time = LatticeWaves::measure(&mut sea, &Water::STILL, 0.0, &mut TileFields::default());
+    let waves: f64 = over_time.waves().map(|(_, energy_m2)| energy_m2).sum();
+    let mean = all.iter().sum::<f64>() / all.len() as f64;
+    assert!((mean / waves - 1.0).abs() < 0.03, "{}", mean / waves);
+    assert!(all.iter().any(|variance| (variance / waves - 1.0).abs() > 0.01));
+}
+
+/// Broad seas, crossing ones and ones against each other.
+fn broad_seas() -> Vec<(&'static str, Vec<Box<dyn WaveSpectrum>>)> {
+    let wind_sea = || Jonswap::from_wind_and_fetch(12.0, 2e4, 3.3).unwrap();
+    let spread = |spreading, degrees: f64| -> Box<dyn WaveSpectrum> {
+        let parameters = DirectionalParameters {
+            spread: Spread { spreading, swell: 0.0 },
+            toward: DVec2::from_angle(degrees.to_radians()),
+            dispersion: Dispersion::DEEP,
+        };
+        Box::new(Directional::new(wind_sea(), parameters).unwrap())
+    };
+    let exponent = |exponent| Spreading::Cos2s { exponent };
+    let still = PhillipsParameters { opposing_energy: 1.0, ..WIND };
+    vec![
+        ("Mitsuyasu", vec![spread(Spreading::Mitsuyasu, 20.0)]),
+        ("Donelan-Banner", vec![spread(Spreading::DonelanBanner, 20.0)]),
+        ("everywhere alike", vec![spread(exponent(0.0), 20.0)]),
+        ("s = 1", vec![spread(exponent(1.0), 20.0)]),
+        ("s = 4", vec![spread(exponent(4.0), 20.0)]),
+        ("against each other", vec![spread(exponent(10.0), 20.0), spread(exponent(10.0), 200.0)]),
+        ("crossing", vec![spread(exponent(6.0), 20.0), spread(exponent(10.0), 130.0)]),
+        ("still", vec![Box::new(Phillips::new(still).unwrap())]),
+    ]
+}
+
+/// Of a pair of opposite waves one runs, so nothing stands and nothing swings.
+#[test]
+fn seas_with_waves_in_all_directions_have_it_at_every_time() {
+    for (name, systems) in broad_seas() {
+        for seed in [0, 1, 7] {
+            let tile = SpectralTileParameters { tile_size_m: 300.0, seed, ..TILE };
+            let mut sea = SpectralTile::new(tile, &systems).unwrap();
+            for time_s in [0.0, 7.0, 1234.5, -1e6] {
+                let ratio = measured_variance(&mut sea, time_s) / sea.variance_m2();
+                assert!((ratio - 1.0).abs() < 1e-4, "{name}, seed {seed}, {time_s} s: {ratio}");
+            }
+        }
+    }
+}
+
+/// The energy towards each direction, by octants and by short and long waves, is that of the spectrum.
+#[test]
+fn every_direction_has_its_energy() {
+    for (name, systems) in broad_seas() {
+        let (mut found, mut expected) = ([[0.0; 8]; 2], [[0.0; 8]; 2]);
+        for seed in 0..8 {
+            let tile = SpectralTileParameters { tile_size_m: 600.0, resolution: 128, seed, ..TILE };
+            let mut sea = SpectralTile::new(tile, &systems).unwrap();
+            let cell = (TAU / tile.tile_size_m).powi(2);
+            let waves = LatticeWaves::measure(&mut sea, &Water::STILL, 0.0, &mut TileFields::default());
+            for (k, energy_m2) in waves.waves().filter(|(k, _)| *k != DVec2::ZERO) {
+                let octant = (k.to_angle() / (TAU / 8.0) + 8.5) as usize % 8;
+                let short = usize::from(k.length() > 0.3);
+                found[short][octant] += energy_m2;
+                expected[short][octant] +=
+                    systems.iter().map(|system| system.density_m4(k) * cell).sum::<f64>();
+            }
+        }
+        for (found, expected) in found.iter().zip(&expected) {
+            let all: f64 = expected.iter().sum();
+            for (octant, (found, expected)) in found.iter().zip(expected).enumerate() {
+                let error = (found - expected) / all;
+                assert!(error.abs() < 0.02, "{name}, octant {octant}: {found} for {expected} of {all}");
+            }
+        }
+    }
 }
 
 #[test]
@@ -111,7 +187,7 @@ fn systems_add_by_variance() {
     let alone = |system| SpectralTile::new(TILE, &[system]).unwrap().variance_m2();
     let expected = alone(&systems[0]) + alone(&systems[1]);
     assert!((both.variance_m2() / expected - 1.0).abs() < 1e-12);
-    assert!((measured_variance(&mut both, 4.0) / expected - 1.0).abs() < 0.1);
+    assert!((measured_variance(&mut both, 4.0) / expected - 1.0).abs() < 1e-4);
 }
 
 #[test]

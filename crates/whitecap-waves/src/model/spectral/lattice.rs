@@ -14,7 +14,7 @@
 //! waves of a pair the same way in the plane, which is one more factor, e^{−2πiδt}.
 
 use super::energy::cell;
-use super::random::for_each_draw;
+use super::random::{Draw, Point, for_each_ring};
 use super::{Amplitudes, SpectralTileParameters};
 use glam::DVec2;
 use rustfft::num_complex::Complex;
@@ -139,8 +139,7 @@ pub(super) fn signed(n: usize, q: usize) -> i32 {
     if q < n / 2 { q as i32 } else { q as i32 - n as i32 }
 }
 
-/// h0 at [`cell`] (p, q): |h0|² is half the cell's energy, or that on average (Tessendorf 2001, "Building a
-/// Random Ocean Wave Height Field", but for the factor).
+/// h0 at [`cell`] (p, q).
 fn initial_amplitudes(
     parameters: &SpectralTileParameters,
     stream: u64,
@@ -148,15 +147,58 @@ fn initial_amplitudes(
 ) -> Vec<Complex<f64>> {
     let n = parameters.resolution;
     let mut h0 = vec![Complex::default(); n * n];
-    for_each_draw(parameters.seed, stream, n as i32 / 2 - 1, |p, q, draw| {
-        let i = cell(n, p, q);
-        if cell_variance_m2[i] > 0.0 {
-            let modulus = match parameters.amplitudes {
-                Amplitudes::Deterministic => 1.0,
-                Amplitudes::Gaussian => draw.modulus(),
-            };
-            h0[i] = draw.direction * (modulus * (0.5 * cell_variance_m2[i]).sqrt());
+    let mut one_way = OneWay::default();
+    for_each_ring(parameters.seed, stream, n as i32 / 2 - 1, |ring| {
+        let energy = |point: &Point| cell_variance_m2[cell(n, point.p, point.q)];
+        let mut set = |point: &Point, modulus: f64, energy_m2: f64| {
+            h0[cell(n, point.p, point.q)] = point.draw.direction * (modulus * (0.5 * energy_m2).sqrt());
+        };
+        match parameters.amplitudes {
+            // |h0|² is half the cell's energy on average (Tessendorf 2001, "Building a Random Ocean Wave Height
+            // Field", but for the factor).
+            Amplitudes::Gaussian => {
+                ring.iter().for_each(|point| set(point, point.draw.modulus(), energy(point)));
+            }
+            Amplitudes::Deterministic => {
+                let (near, far) = ring.split_at(ring.len() / 2);
+                for (near, far) in near.iter().zip(far) {
+                    let both_m2 = energy(near) + energy(far);
+                    let chosen = if one_way.is_far(energy(far), both_m2, near.draw) { far } else { near };
+                    set(chosen, 1.0, both_m2);
+                }
+                one_way.next_ring();
+            }
         }
     });
     h0
+}
+
+/// Chooses for each pair of opposite waves the one that runs, with the energy of both.
+///
+/// Two waves that run against each other stand, and the energy of what stands swings in time: with both, the variance
+/// of a tile would be right on average only. What one pair owes to a direction the next ones pay, as error diffusion
+/// does with grey levels (Floyd and Steinberg 1976), so every direction has its energy among neighbours.
+#[derive(Default)]
+struct OneWay {
+    /// What the far waves of the pairs before should have had and did not get, m².
+    owed_to_far_m2: f64,
+}
+
+impl OneWay {
+    /// Whether the far wave of a pair takes the energy of both, of which `far_m2` is its own.
+    fn is_far(&mut self, far_m2: f64, both_m2: f64, draw: Draw) -> bool {
+        // Weak pairs cannot pay the debts of strong ones without losing their own directions.
+        let due_m2 = far_m2 + self.owed_to_far_m2.clamp(-0.5 * both_m2, 0.5 * both_m2);
+        // About half, so that equals do not alternate.
+        let is_far = due_m2 > (0.25 + 0.5 * draw.uniform) * both_m2;
+        if both_m2 > 0.0 {
+            self.owed_to_far_m2 = due_m2 - if is_far { both_m2 } else { 0.0 };
+        }
+        is_far
+    }
+
+    /// The next ring begins where the last one ended, but there near is far.
+    fn next_ring(&mut self) {
+        self.owed_to_far_m2 = -self.owed_to_far_m2;
+    }
 }

@@ -63,8 +63,9 @@ pub use tile::{SpectralTile, SpectralTileParameters, WaveColumn};
 /// same for the same seed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Amplitudes {
-    /// |h0|² is half the energy of the cell: every sea has its exact significant height, at every time, as far as
-    /// no waves run against each other (where they do, they interfere, and it holds on average).
+    /// Of each pair of opposite waves, k and −k, one runs, and |h0|² is half the energy of both cells: every sea has
+    /// its exact significant height and mean square slope, at every time. Which one runs is chosen so that among
+    /// neighbours each direction has its energy; where none runs against another, all run.
     #[default]
     Deterministic,
     /// h0 = ½ (ξr + iξi) times the root of the cell's energy, with ξ standard normal: a fair draw from the Gaussian
