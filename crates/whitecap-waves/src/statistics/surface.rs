@@ -85,7 +85,7 @@ impl SurfaceStatistics {
 }
 
 /// The moments of all waves, scaled to the variance that the field has: the waves' own sum is its mean over time,
-/// from which it differs where waves run against each other.
+/// from which it differs where waves run against each other, in Gaussian seas.
 fn sum_of(waves: &[LatticeWaves], water: &Water, variance_m2: f64) -> (SpectralMoments, DirectionalSum) {
     let (mut moments, mut directions) = (SpectralMoments::default(), DirectionalSum::default());
     for tile in waves {

@@ -96,7 +96,7 @@ impl<'a> Report<'a> {
         let (asked, found) = (carried.sqrt(), self.surface.m0_m2.unwrap_or(0.0).sqrt());
         if (found - asked).abs() > 0.02 * asked {
             warnings.push(format!(
-                "the surface is {:.1} % {} than its waves on average: chance, or waves that run against each other",
+                "the surface is {:.1} % {} than its waves on average: amplitudes = \"gaussian\" leaves that to chance",
                 100.0 * (found / asked - 1.0).abs(),
                 if found > asked { "higher" } else { "lower" }
             ));
