@@ -78,6 +78,7 @@ pub mod optics;
 pub mod query;
 mod random;
 pub mod spectrum;
+mod spline;
 pub mod spreading;
 pub mod statistics;
 pub mod transform;

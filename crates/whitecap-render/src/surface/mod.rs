@@ -12,4 +12,4 @@ pub(crate) use bump_map::bump_map;
 #[cfg(test)]
 pub(crate) use bump_map::rms_slope;
 pub(crate) use sines::GpuSines;
-pub use tile_maps::{TileMaps, TileTextures};
+pub use tile_maps::{TileMaps, TileTextures, Vertices};

@@ -17,13 +17,38 @@ const MAX_LEVELS: usize = MAX_RESOLUTION.ilog2() as usize + 1;
 /// Vertices along a side of a mesh stay within this; of a finer tile every 2nd, 4th … sample is used.
 const MAX_MESH_SIDE: usize = 1024;
 
+/// Where the vertices of a mesh lie on a tile, which decides what its displacement map holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Vertices {
+    /// On samples of so many tiles side by side: the map holds those that the mesh uses.
+    OnSamples {
+        /// Tiles along a side of the mesh, at least 1.
+        repeats: u32,
+    },
+    /// Anywhere: the map holds coefficients of cubic B-splines, as
+    /// [`evaluate_coefficients`](WaveModel::evaluate_coefficients) has them, one for each sample.
+    Anywhere,
+}
+
+impl Vertices {
+    /// Of a tile with `n` samples a side every so many-th is in the vertex maps.
+    fn stride(self, n: usize) -> usize {
+        let Vertices::OnSamples { repeats } = self else { return 1 };
+        let mut stride = 1;
+        while n * repeats as usize / stride > MAX_MESH_SIDE {
+            stride *= 2;
+        }
+        stride
+    }
+}
+
 /// The textures that hold a tile at one moment, and what its normal map has lost.
 ///
 /// The normal map's mips carry what they average away: red, green and blue are the mean normal
 /// (x, y, z), alpha the variance of slope (both axes together) inside the texel, so that mean square of
 /// the mean plus alpha is the same at every level (Olano and Baker, "LEAN Mapping", 2010).
 pub struct TileTextures {
-    /// Displacement (x, height, z) of each `stride`-th sample, metres, `Rgba32Float`.
+    /// Displacement (x, height, z), metres, `Rgba32Float`: samples or coefficients, as the [`Vertices`] need them.
     pub displacement: wgpu::Texture,
     /// Slopes (∂h/∂x, ∂h/∂z) of the displaced surface there, `Rg32Float`.
     pub slopes: wgpu::Texture,
@@ -97,6 +122,7 @@ pub struct TileMaps {
     /// What shaders read.
     pub textures: TileTextures,
     source: Source,
+    vertices: Vertices,
 }
 
 /// Where the textures' contents come from.
@@ -108,8 +134,7 @@ enum Source {
 }
 
 impl TileMaps {
-    /// Makes the textures for `model`, of which a mesh repeats `repeats` tiles along a side. Without a `backend`
-    /// the device's kind decides.
+    /// Makes the textures for `model` and a mesh with such `vertices`. Without a `backend` the device's kind decides.
     ///
     /// # Errors
     ///
@@ -120,13 +145,9 @@ impl TileMaps {
         queue: &wgpu::Queue,
         backend: Option<Backend>,
         model: Box<dyn WaveModel>,
-        repeats: u32,
+        vertices: Vertices,
     ) -> Result<TileMaps, RenderError> {
         let n = model.resolution();
-        let mut stride = 1;
-        while n * repeats as usize / stride > MAX_MESH_SIDE {
-            stride *= 2;
-        }
         if n == 0 || n > MAX_RESOLUTION {
             return Err(RenderError::LimitExceeded {
                 what: "the number of samples along a side of the sea's tile".into(),
@@ -135,16 +156,16 @@ impl TileMaps {
             });
         }
         checked(device, "the sea's maps", || {
-            let textures = |backend| TileTextures::new(device, queue, n, n / stride, backend);
+            let textures = |backend| TileTextures::new(device, queue, n, n / vertices.stride(n), backend);
             let (textures, source) = match evolved_on_device(backend, device, &*model)? {
                 None => (textures(Backend::Cpu), Source::Cpu(TileFields::new(n))),
                 Some(tile) => {
                     let textures = textures(Backend::Gpu);
-                    let maps = SpectralMaps::new(device, queue, tile, &textures);
+                    let maps = SpectralMaps::new(device, queue, tile, &textures, vertices);
                     (textures, Source::Gpu(maps))
                 }
             };
-            Ok(TileMaps { model, textures, source })
+            Ok(TileMaps { model, textures, source, vertices })
         })
     }
 
@@ -153,7 +174,10 @@ impl TileMaps {
     pub fn update(&mut self, queue: &wgpu::Queue, encoder: &mut wgpu::CommandEncoder, time_s: f64) {
         match &mut self.source {
             Source::Cpu(fields) => {
-                self.model.evaluate(time_s, fields);
+                match self.vertices {
+                    Vertices::OnSamples { .. } => self.model.evaluate(time_s, fields),
+                    Vertices::Anywhere => self.model.evaluate_coefficients(time_s, fields),
+                }
                 self.textures.upload(queue, fields);
             }
             Source::Gpu(maps) => maps.encode(queue, encoder, time_s),

@@ -1,6 +1,7 @@
 //! Surfaces in time: the trait that every wave model implements, and the models.
 
 use crate::query::{self, QueryError};
+use crate::spline;
 use glam::{DVec2, DVec3};
 use std::any::Any;
 
@@ -129,6 +130,20 @@ pub trait WaveModel: Surface + Any {
     /// All fields of the tile at `time_s`, equal to [`Surface::sample`] within their f32 rounding. Resizes
     /// `fields` where needed; allocates nothing otherwise.
     fn evaluate(&mut self, time_s: f64, fields: &mut TileFields);
+
+    /// As [`evaluate`](Self::evaluate), but with coefficients of uniform cubic B-splines in place of the height's and
+    /// the displacement's samples, for who draws the surface between them.
+    ///
+    /// At (x, z), counted in samples, a displacement is then Σ b(x − i) b(z − j) c(i, j), where b is the cubic B-spline:
+    /// ⅔ − u² + ½|u|³ for |u| ≤ 1 and ⅙ (2 − |u|)³ from there to 2. Slopes and gradients stay samples. Without a better
+    /// way the spline passes through the samples.
+    fn evaluate_coefficients(&mut self, time_s: f64, fields: &mut TileFields) {
+        self.evaluate(time_s, fields);
+        let n = fields.resolution();
+        for field in [&mut fields.height, &mut fields.displacement_x, &mut fields.displacement_z] {
+            spline::interpolate(field, n);
+        }
+    }
 }
 
 /// The surface over one rest point.

@@ -15,7 +15,6 @@ use glam::DVec2;
 use thiserror::Error;
 
 mod snapshot;
-mod spline;
 
 #[cfg(test)]
 mod tests;

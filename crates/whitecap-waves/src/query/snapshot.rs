@@ -1,15 +1,15 @@
 //! A spectral sea at one moment, ready for any number of questions.
 //!
 //! For each tile the waves are transformed onto a grid on which the shortest of them has four samples or more, as
-//! coefficients of a spline ([`spline`](super::spline)). The error of such a grid follows from the spectrum, and grids
+//! coefficients of a spline (`spline`). The error of such a grid follows from the spectrum, and grids
 //! are made finer until it is small enough. A question then costs a few dozen products for each tile, however many
 //! waves there are.
 
-use super::spline::{Taps, coefficient, error_variance, jet, value};
 use super::{QueryError, check};
 use crate::model::spectral::evolve::{Column, evolve_column, evolve_velocity_column};
 use crate::model::spectral::{SpectralSea, SpectralTile};
 use crate::model::{Surface, SurfacePoint, WaveModel, spectral::sample::Sums};
+use crate::spline::{self, Taps, error_variance, jet, value};
 use crate::statistics::significant_height_m;
 use crate::transform::{Complex, InverseReal2d, for_each_run, thread_count};
 use glam::{DMat2, DVec2, DVec3, Vec4};
@@ -169,14 +169,13 @@ struct TileSnapshot {
 impl TileSnapshot {
     fn new(tile: &SpectralTile, side: usize) -> Self {
         let resolution = tile.resolution();
-        let turns = |q: usize| q as f64 / side as f64;
         Self {
             size_m: tile.tile_size_m(),
             resolution,
             side,
             shape: vec![Vec4::ZERO; side * side],
             motion: vec![Vec4::ZERO; side * side],
-            filter: (0..=resolution / 2).map(|q| coefficient(turns(q).min(0.5)) as f32).collect(),
+            filter: spline::factors(resolution / 2, side),
             evolved: vec![0.0; resolution / 2 * Column::len(resolution)],
             planes: std::array::from_fn(|_| vec![0.0; side * side]),
             transform: InverseReal2d::new(side).expect("a power of two from 16 to 4096"),
@@ -216,13 +215,7 @@ impl TileSnapshot {
                     out.copy_within(n / 2..n, side - n / 2);
                     out[n / 2..side - n / 2].fill(Complex::default());
                 }
-                let (positive, negative) = out.split_at_mut(side / 2);
-                for (value, by) in positive.iter_mut().zip(filter) {
-                    *value *= by * filter[p];
-                }
-                for (value, by) in negative.iter_mut().rev().zip(&filter[1..]) {
-                    *value *= by * filter[p];
-                }
+                spline::filter(filter, p, out);
             };
             self.transform.process_with(fill, plane);
         }

@@ -4,7 +4,7 @@
 //! | pass | reads | writes |
 //! | --- | --- | --- |
 //! | evolve | P, Q (16 B a wave), ν, δ (16 B) | h of the half plane p ≥ 0 |
-//! | columns | h, lean, for each of four pairs of fields and both half planes | four spectra, transformed along q |
+//! | columns | h, lean, factors, for each of four pairs of fields and both half planes | four spectra, transformed along q |
 //! | rows | the same four | eight fields, two to a complex number |
 //! | mesh maps | the fields, at the mesh's samples | displacement (rgba32f), slopes (rg32f) |
 //! | normal map | slopes and gradients | normals and lost variance (rgba16f), levels 0 to 3; moments of level 3 |
@@ -27,7 +27,7 @@ mod tests;
 
 use crate::gpu::resources::buffer;
 use crate::shader_lib;
-use crate::surface::tile_maps::TileTextures;
+use crate::surface::tile_maps::{TileTextures, Vertices};
 use gpu::{Pass, storage, uniform};
 use maps::MapPasses;
 use waves::{GpuMoment, WaveConstants, twiddles};
@@ -48,7 +48,7 @@ pub(super) fn missing(device: &wgpu::Device, resolution: usize) -> Option<&'stat
         Some("storage textures for a sea on the GPU")
     } else if limits.max_compute_invocations_per_workgroup < 256
         || limits.max_compute_workgroup_storage_size < 8 * NUMBERS
-        || limits.max_storage_buffers_per_shader_stage < 4
+        || limits.max_storage_buffers_per_shader_stage < 5
         || limits.max_storage_textures_per_shader_stage < 4
     {
         Some("compute passes as large as a sea on the GPU needs")
@@ -66,14 +66,15 @@ pub(super) struct SpectralMaps {
 }
 
 impl SpectralMaps {
-    /// Uploads the waves of `tile` and sets up the passes that fill `textures`.
+    /// Uploads the waves of `tile` and sets up the passes that fill `textures` for such `vertices`.
     pub(super) fn new(
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         tile: &SpectralTile,
         textures: &TileTextures,
+        vertices: Vertices,
     ) -> SpectralMaps {
-        let fields = SpectralFields::new(device, queue, &WaveConstants::of(tile));
+        let fields = SpectralFields::new(device, queue, &WaveConstants::of(tile, vertices));
         let passes = MapPasses::new(device, queue, &fields, textures);
         SpectralMaps { fields, passes }
     }
@@ -112,6 +113,7 @@ impl SpectralFields {
         let amplitudes = upload("amplitudes", bytemuck::cast_slice(&waves.amplitudes));
         let frequencies = upload("frequencies", bytemuck::cast_slice(&waves.frequencies));
         let lean = upload("lean", bytemuck::cast_slice(&waves.lean));
+        let factors = upload("displacement factors", bytemuck::cast_slice(&waves.displacement_factors));
         let twiddles = upload("twiddles", bytemuck::cast_slice(&twiddles(NUMBERS)));
         let complex = u64::from(n) * u64::from(n) * 8;
         let evolved = storage(device, "evolved waves", complex / 2);
@@ -132,7 +134,7 @@ impl SpectralFields {
                 device,
                 &shader_lib::SPECTRAL_COLUMNS,
                 "cs_transform_columns",
-                &[&tile, &twiddles, &evolved, &lean, &columns],
+                &[&tile, &twiddles, &evolved, &lean, &factors, &columns],
                 transforms,
             ),
             rows: Pass::new(

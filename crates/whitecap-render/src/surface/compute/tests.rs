@@ -16,6 +16,8 @@ mod maps;
 mod one_wave;
 mod phases;
 
+const ON_SAMPLES: Vertices = Vertices::OnSamples { repeats: 1 };
+
 /// A sea with waves in all directions, on a current.
 fn sea(resolution: usize, choppiness: f64) -> SpectralTile {
     let wind = Phillips::new(PhillipsParameters {
@@ -84,24 +86,29 @@ fn rust_and_wgsl_agree_about_layout() {
     assert_layout!(GpuTile, wgsl, "GpuTile", [resolution, log2_resolution, spacing_rad_per_m]);
 }
 
-/// Both backends, every size of first step, a million seconds before and after. Every field to 2e-5 of its
+/// Both backends, samples and coefficients, every size of first step, a million seconds before and after. Every field to 2e-5 of its
 /// r.m.s., which for heights is 5e-6 of the significant height.
 #[test]
 fn both_backends_agree() {
     let Some(gpu) = gpu() else { return };
     for n in [16, 32, 64, 128, 256, 512, 1024] {
         let mut sea = sea(n, 1.3);
-        let fields = SpectralFields::new(&gpu.device, &gpu.queue, &WaveConstants::of(&sea));
+        let [samples, coefficients] = [ON_SAMPLES, Vertices::Anywhere]
+            .map(|vertices| SpectralFields::new(&gpu.device, &gpu.queue, &WaveConstants::of(&sea, vertices)));
         let mut expected = TileFields::new(n);
         // The largest one takes its time.
         let times = [-1e6, 0.0, 3.7, 1e6];
         for &time_s in if n < 1024 { &times[..] } else { &times[..1] } {
-            sea.evaluate(time_s, &mut expected);
-            let seen = evaluate(gpu, &fields, time_s);
-            for ((name, expected), (_, seen)) in arrays(&expected).into_iter().zip(arrays(&seen)) {
-                let worst = worst(expected, seen) / mean_square(expected).sqrt();
-                assert!(worst < 2e-5, "{name} of {n}² at {time_s}: {worst}");
-            }
+            let mut agree = |evaluated: fn(&mut SpectralTile, f64, &mut TileFields), fields| {
+                evaluated(&mut sea, time_s, &mut expected);
+                let seen = evaluate(gpu, fields, time_s);
+                for ((name, expected), (_, seen)) in arrays(&expected).into_iter().zip(arrays(&seen)) {
+                    let worst = worst(expected, seen) / mean_square(expected).sqrt();
+                    assert!(worst < 2e-5, "{name} of {n}² at {time_s}: {worst}");
+                }
+            };
+            agree(SpectralTile::evaluate, &samples);
+            agree(SpectralTile::evaluate_coefficients, &coefficients);
         }
     }
 }
@@ -112,7 +119,7 @@ fn variances_are_sums_over_the_spectrum() {
     let Some(gpu) = gpu() else { return };
     for n in [16, 128] {
         let sea = sea(n, 1.0);
-        let fields = SpectralFields::new(&gpu.device, &gpu.queue, &WaveConstants::of(&sea));
+        let fields = SpectralFields::new(&gpu.device, &gpu.queue, &WaveConstants::of(&sea, ON_SAMPLES));
         let time_s = 17.0;
         let (mut energy, mut slopes) = (0.0, 0.0);
         for p in 0..n / 2 {
@@ -137,7 +144,7 @@ fn variances_are_sums_over_the_spectrum() {
 #[test]
 fn a_moment_is_the_same_whatever_came_before() {
     let Some(gpu) = gpu() else { return };
-    let waves = WaveConstants::of(&sea(32, 1.0));
+    let waves = WaveConstants::of(&sea(32, 1.0), ON_SAMPLES);
     let fields = SpectralFields::new(&gpu.device, &gpu.queue, &waves);
     let first = evaluate(gpu, &fields, 12.25);
     assert_ne!(evaluate(gpu, &fields, -4e5), first);
@@ -167,7 +174,7 @@ fn webgpus_default_limits_are_enough() {
     let made = crate::gpu::checked(&device, "a sea", || {
         let sea = Box::new(sea(64, 1.0));
         let backend = Some(crate::surface::Backend::Gpu);
-        let mut maps = crate::surface::TileMaps::new(&device, &queue, backend, sea, 1)?;
+        let mut maps = crate::surface::TileMaps::new(&device, &queue, backend, sea, ON_SAMPLES)?;
         let mut encoder = device.create_command_encoder(&Default::default());
         maps.update(&queue, &mut encoder, 1.0);
         queue.submit([encoder.finish()]);

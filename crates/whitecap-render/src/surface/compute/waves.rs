@@ -1,5 +1,6 @@
 //! The constants of a tile's waves and the time, as the shaders read them.
 
+use crate::surface::tile_maps::Vertices;
 use std::f64::consts::TAU;
 use whitecap_waves::model::WaveModel;
 use whitecap_waves::model::spectral::SpectralTile;
@@ -67,16 +68,22 @@ pub(super) struct WaveConstants {
     pub(super) frequencies: Vec<[u32; 4]>,
     /// λ coth(kd)/|k| at p N/2 + |q|.
     pub(super) lean: Vec<f32>,
+    /// By what the displacement of the wave (p, q) is multiplied: the number at |p| times the one at |q|, to N/2.
+    pub(super) displacement_factors: Vec<f32>,
 }
 
 impl WaveConstants {
-    pub(super) fn of(tile: &SpectralTile) -> WaveConstants {
+    pub(super) fn of(tile: &SpectralTile, vertices: Vertices) -> WaveConstants {
         let n = tile.resolution();
         let mut constants = WaveConstants {
             tile: GpuTile::new(n, tile.tile_size_m()),
             amplitudes: Vec::with_capacity(n * n / 2),
             frequencies: Vec::with_capacity(n * n / 2),
             lean: Vec::with_capacity(n * n / 4),
+            displacement_factors: match vertices {
+                Vertices::OnSamples { .. } => vec![1.0; n / 2 + 1],
+                Vertices::Anywhere => tile.spline_factors().to_vec(),
+            },
         };
         for column in (0..n / 2).map(|p| tile.column(p)) {
             constants.amplitudes.extend((0..n).map(|q| column.amplitudes.map(|part| part[q])));

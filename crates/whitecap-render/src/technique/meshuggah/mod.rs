@@ -16,7 +16,7 @@ pub mod normals;
 use super::{Build, Frame, Technique, wrong_sea};
 use crate::RenderError;
 use crate::geometry::TiledGrid;
-use crate::surface::TileMaps;
+use crate::surface::{TileMaps, Vertices};
 use crate::uniforms::ViewSlots;
 use crate::view::View;
 use glam::{DVec2, DVec3};
@@ -46,7 +46,8 @@ impl Meshuggah {
         let Some(model) = tiles.and_then(|tiles| tiles.into_iter().next()) else {
             return Err(wrong_sea(build));
         };
-        let maps = TileMaps::new(build.device, build.queue, build.backend, model, settings.tile_repeats)?;
+        let vertices = Vertices::OnSamples { repeats: settings.tile_repeats };
+        let maps = TileMaps::new(build.device, build.queue, build.backend, model, vertices)?;
         let cells = maps.mesh_samples() as u32 * settings.tile_repeats;
         let grid = TiledGrid::new(cells, (REACH_M / maps.cell_m()) as f32);
         let slots = ViewSlots::new(build.device, "meshuggah");

@@ -13,7 +13,7 @@ mod visible;
 use super::{Build, Frame, Technique, wrong_sea};
 use crate::RenderError;
 use crate::geometry::NestedGrid;
-use crate::surface::TileMaps;
+use crate::surface::{TileMaps, Vertices};
 use crate::uniforms::ViewSlots;
 use crate::view::View;
 use glam::{DVec2, Vec3};
@@ -66,7 +66,7 @@ impl SpectralOcean {
         let Some(models) = models else { return Err(wrong_sea(build)) };
         let tiles = models
             .into_iter()
-            .map(|model| TileMaps::new(build.device, build.queue, build.backend, model, 1))
+            .map(|model| TileMaps::new(build.device, build.queue, build.backend, model, Vertices::Anywhere))
             .collect::<Result<Vec<_>, _>>()?;
 
         // Where a processor draws, triangles are dear.

@@ -10,12 +10,12 @@ use half::f16;
 use whitecap_waves::model::{Surface, SurfacePoint};
 
 /// A mesh of eight tiles in a row has 1024 vertices if it skips every other sample of 256.
-const REPEATS: u32 = 8;
+const EIGHT_TILES: Vertices = Vertices::OnSamples { repeats: 8 };
 
-fn maps_at(gpu: &Gpu, backend: Backend, n: usize, time_s: f64) -> TileMaps {
+fn maps_at(gpu: &Gpu, backend: Backend, n: usize, vertices: Vertices, time_s: f64) -> TileMaps {
     let (device, queue) = (&gpu.device, &gpu.queue);
     let sea = Box::new(sea(n, 1.0));
-    let mut maps = TileMaps::new(device, queue, Some(backend), sea, REPEATS).unwrap();
+    let mut maps = TileMaps::new(device, queue, Some(backend), sea, vertices).unwrap();
     assert_eq!(maps.backend(), backend);
     for time_s in [time_s + 5.0, time_s] {
         let mut encoder = device.create_command_encoder(&Default::default());
@@ -53,13 +53,22 @@ fn rust_and_wgsl_agree_about_layout() {
     assert_eq!(u64::from(size), crate::surface::compute::maps::MOMENTS_BYTES);
 }
 
-/// Sizes whose last step makes one, two and three levels, with and without a mesh that skips samples.
+/// Sizes whose last step makes one, two and three levels, with a mesh that lies anywhere, with one that lies on samples
+/// and with one that skips some.
 #[test]
 fn both_backends_make_the_same_maps() {
     let Some(gpu) = gpu() else { return };
-    for n in [16, 32, 64, 256] {
-        let [cpu, device] = [Backend::Cpu, Backend::Gpu].map(|backend| maps_at(gpu, backend, n, 3.7));
-        assert_eq!(cpu.mesh_samples(), n.min(128));
+    let cases = [
+        (16, EIGHT_TILES),
+        (32, Vertices::Anywhere),
+        (64, EIGHT_TILES),
+        (256, Vertices::Anywhere),
+        (256, EIGHT_TILES),
+    ];
+    for (n, vertices) in cases {
+        let [cpu, device] =
+            [Backend::Cpu, Backend::Gpu].map(|backend| maps_at(gpu, backend, n, vertices, 3.7));
+        assert_eq!(cpu.mesh_samples(), if vertices == EIGHT_TILES { n.min(128) } else { n });
         let both =
             |texture: fn(&TileMaps) -> &wgpu::Texture| [&cpu, &device].map(|m| floats(gpu, texture(m)));
         let [expected, seen] = both(|maps| &maps.textures.displacement);
@@ -89,7 +98,7 @@ fn both_backends_make_the_same_maps() {
 fn means_and_lost_variance_add_up() {
     let Some(gpu) = gpu() else { return };
     for n in [16, 128, 512] {
-        let maps = maps_at(gpu, Backend::Gpu, n, -1e6);
+        let maps = maps_at(gpu, Backend::Gpu, n, EIGHT_TILES, -1e6);
         let mut fields = TileFields::new(n);
         sea(n, 1.0).evaluate(-1e6, &mut fields);
         let slopes: Vec<DVec2> =
@@ -153,9 +162,12 @@ impl WaveModel for Level {
 fn a_sea_without_a_spectrum_stays_on_the_processor() {
     let Some(gpu) = gpu() else { return };
     let (device, queue) = (&gpu.device, &gpu.queue);
-    let refused = TileMaps::new(device, queue, Some(Backend::Gpu), Box::new(Level), 1);
+    let refused = TileMaps::new(device, queue, Some(Backend::Gpu), Box::new(Level), ON_SAMPLES);
     assert!(matches!(refused.err(), Some(crate::RenderError::Unsupported { .. })));
-    assert_eq!(TileMaps::new(device, queue, None, Box::new(Level), 1).unwrap().backend(), Backend::Cpu);
-    let chosen = TileMaps::new(device, queue, None, Box::new(sea(16, 1.0)), 1).unwrap();
+    assert_eq!(
+        TileMaps::new(device, queue, None, Box::new(Level), ON_SAMPLES).unwrap().backend(),
+        Backend::Cpu
+    );
+    let chosen = TileMaps::new(device, queue, None, Box::new(sea(16, 1.0)), ON_SAMPLES).unwrap();
     assert_eq!(chosen.backend() == Backend::Cpu, gpu.adapter.is_software());
 }

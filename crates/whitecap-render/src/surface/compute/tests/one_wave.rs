@@ -18,6 +18,7 @@ fn one_wave(
         amplitudes: vec![[0.0; 4]; n * n / 2],
         frequencies: vec![[0; 4]; n * n / 2],
         lean: vec![0.0; n * n / 4],
+        displacement_factors: vec![1.0; n / 2 + 1],
     };
     let place = |q: i32| p * n + q.rem_euclid(n as i32) as usize;
     let [re, im] = amplitude;

@@ -11,7 +11,8 @@ use super::{Amplitudes, Water};
 use crate::error::{ParameterError, Remedy, check};
 use crate::model::{Surface, SurfacePoint, TileFields, WaveModel};
 use crate::spectrum::{Profile, WaveSpectrum};
-use crate::transform::{InverseReal2d, for_each_run, thread_count};
+use crate::spline;
+use crate::transform::{Complex, InverseReal2d, for_each_run, thread_count};
 use glam::DVec2;
 use std::f64::consts::{PI, TAU};
 
@@ -69,6 +70,7 @@ pub struct SpectralTile {
     /// One run of evolved amplitudes for each p ≥ 0; see [`Column`].
     evolved: Vec<f32>,
     transform: InverseReal2d,
+    spline_factors: Vec<f32>,
 }
 
 /// Of a system's variance, in m².
@@ -132,6 +134,7 @@ impl SpectralTile {
             waves: Waves::new(&parameters, index, &energy.cell_variance_m2),
             evolved: vec![0.0; n / 2 * Column::len(n)],
             transform: InverseReal2d::new(n)?,
+            spline_factors: spline::factors(n / 2, n),
         })
     }
 
@@ -152,6 +155,13 @@ impl SpectralTile {
             drift_turns_per_s: self.waves.drift_turns_per_s(p),
             lean: self.waves.lean(p),
         }
+    }
+
+    /// What makes a coefficient of a wave's amplitude, for a backend that evolves waves itself: the wave (p, q) takes
+    /// the number at |p| times the one at |q|, from 0 to N/2. See
+    /// [`evaluate_coefficients`](WaveModel::evaluate_coefficients).
+    pub fn spline_factors(&self) -> &[f32] {
+        &self.spline_factors
     }
 
     /// The share of the requested variance that the tile carries, over all systems: 1 when it is large and fine
@@ -194,6 +204,25 @@ impl WaveModel for SpectralTile {
     }
 
     fn evaluate(&mut self, time_s: f64, fields: &mut TileFields) {
+        self.fill(time_s, fields, |_, _, _| {});
+    }
+
+    /// Each wave has the coefficients whose mean square error is the least; the spline misses the samples by as much
+    /// as it misses what is between them.
+    fn evaluate_coefficients(&mut self, time_s: f64, fields: &mut TileFields) {
+        self.fill(time_s, fields, spline::filter);
+    }
+}
+
+impl SpectralTile {
+    /// Evaluates all fields; `filter` may change the spectra of height and displacement, column by column.
+    #[inline(always)]
+    fn fill(
+        &mut self,
+        time_s: f64,
+        fields: &mut TileFields,
+        filter: impl Fn(&[f32], usize, &mut [Complex<f32>]) + Sync,
+    ) {
         let n = self.parameters.resolution;
         fields.resize(n);
         let waves = &self.waves;
@@ -203,13 +232,20 @@ impl WaveModel for SpectralTile {
             evolve_column(waves, p, time_s, run);
         });
 
-        let (evolved, transform) = (&self.evolved, &mut self.transform);
+        let (evolved, transform, factors) = (&self.evolved, &mut self.transform, &self.spline_factors);
         let column = |p: usize| Column::of(waves, evolved, p);
-        transform.process_with(|p, out| column(p).height(out), &mut fields.height);
+        let mut displacement = |of: fn(&Column<'_>, &mut [Complex<f32>]), field: &mut Vec<f32>| {
+            let spectrum = |p: usize, out: &mut [Complex<f32>]| {
+                of(&column(p), out);
+                filter(factors, p, out);
+            };
+            transform.process_with(spectrum, field);
+        };
+        displacement(|column, out| column.height(out), &mut fields.height);
+        displacement(|column, out| column.displacement_x(out), &mut fields.displacement_x);
+        displacement(|column, out| column.displacement_z(out), &mut fields.displacement_z);
         transform.process_with(|p, out| column(p).slope_x(out), &mut fields.slope_x);
         transform.process_with(|p, out| column(p).slope_z(out), &mut fields.slope_z);
-        transform.process_with(|p, out| column(p).displacement_x(out), &mut fields.displacement_x);
-        transform.process_with(|p, out| column(p).displacement_z(out), &mut fields.displacement_z);
         transform.process_with(|p, out| column(p).gradient_xx(out), &mut fields.gradient_xx);
         transform.process_with(|p, out| column(p).gradient_xz(out), &mut fields.gradient_xz);
         transform.process_with(|p, out| column(p).gradient_zz(out), &mut fields.gradient_zz);

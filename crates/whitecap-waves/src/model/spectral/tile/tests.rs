@@ -3,7 +3,9 @@
 use super::super::lattice::signed;
 use super::*;
 use crate::spectrum::phillips::{Phillips, PhillipsParameters};
+use crate::spline::{self, Taps};
 use crate::statistics::Moments;
+use glam::Vec4;
 
 const TILE: SpectralTileParameters = SpectralTileParameters {
     tile_size_m: 250.0,
@@ -56,6 +58,34 @@ fn variances_are_sums_over_the_spectrum() {
         let shifts = variance(&fields.displacement_x) + variance(&fields.displacement_z);
         assert!((shifts / (1.3 * 1.3 * energy) - 1.0).abs() < 1e-5);
     }
+}
+
+/// The spline through a tile's coefficients is the surface between its samples: for waves of four samples and more to
+/// half a thousandth of the significant height, root mean square. Slopes and gradients stay what they are.
+#[test]
+fn coefficients_draw_the_surface_between_samples() {
+    let four_samples = Band { from: 0.0, to: 0.25 * TAU * 64.0 / TILE.tile_size_m };
+    let mut sea = sea(SpectralTileParameters { resolution: 64, band: four_samples, ..TILE });
+    let (mut samples, mut found) = (TileFields::default(), TileFields::default());
+    sea.evaluate(5.5, &mut samples);
+    sea.evaluate_coefficients(5.5, &mut found);
+    assert_eq!(samples.slope_x, found.slope_x);
+    assert_eq!(samples.gradient_xz, found.gradient_xz);
+    let coefficients: Vec<Vec4> = (0..64 * 64)
+        .map(|i| {
+            let [x, y, z] = found.displacement(i);
+            Vec4::new(x, y, z, 0.0)
+        })
+        .collect();
+    let mut square = 0.0;
+    for i in 0..200 {
+        let place = DVec2::new(f64::from(i) * 0.317, (f64::from(i) * 7.93) % 64.0);
+        let drawn = spline::value(&coefficients, &Taps::at(place.x, 64), &Taps::at(place.y, 64));
+        let point = sea.sample(place * TILE.tile_size_m / 64.0, 5.5);
+        square += (drawn.truncate().as_dvec3() - point.displacement_m).length_squared() / 200.0;
+    }
+    let error = f64::sqrt(square) / crate::statistics::significant_height_m(sea.variance_m2());
+    assert!(error < 5e-4, "{error}");
 }
 
 /// Seen from above, choppy crests take less room than troughs, so the mean over the place (not over the

@@ -9,12 +9,15 @@
 //! its aliases from the coarse grid. c = β(ω)/Σβ² makes the mean square of the error least, and since waves come
 //! here as a Fourier series, c costs one factor for each. What remains is √(1 − β²/Σβ²): 1.2 % of a wave of four
 //! samples, 0.16 % of one of six, 0.03 % of one of eight (Unser, Aldroubi and Eden 1993 derive the transforms).
+//!
+//! What is known by its samples alone has coefficients, too: those of the spline through them.
 
 use glam::Vec4;
+use rustfft::num_complex::Complex;
 use std::f64::consts::PI;
 
 /// c for a wave that turns by `turns` from one sample to the next, |`turns`| ≤ ½.
-pub(super) fn coefficient(turns: f64) -> f64 {
+pub(crate) fn coefficient(turns: f64) -> f64 {
     (1.0 - error_variance(turns)) / beta(turns, 0)
 }
 
@@ -25,16 +28,68 @@ fn beta(turns: f64, j: i32) -> f64 {
 }
 
 /// √(1 − β²/Σβ²) squared: the mean square error of a wave, relative to its own mean square.
-pub(super) fn error_variance(turns: f64) -> f64 {
+pub(crate) fn error_variance(turns: f64) -> f64 {
     // They die off with the eighth power.
     let aliases: f64 = (1..=4).map(|j| beta(turns, j).powi(2) + beta(turns, -j).powi(2)).sum();
     aliases / (aliases + beta(turns, 0).powi(2))
 }
 
+/// c for each lattice number from 0 to `most`, on a grid with `side` samples to the tile.
+pub(crate) fn factors(most: usize, side: usize) -> Vec<f32> {
+    (0..=most).map(|q| coefficient((q as f64 / side as f64).min(0.5)) as f32).collect()
+}
+
+/// Makes coefficients of the waves of one column, those of lattice number `p` along x and 0, 1 … −1 along z.
+#[inline(always)]
+pub(crate) fn filter(factors: &[f32], p: usize, column: &mut [Complex<f32>]) {
+    let (positive, negative) = column.split_at_mut(column.len() / 2);
+    for (value, by) in positive.iter_mut().zip(factors) {
+        *value *= by * factors[p];
+    }
+    for (value, by) in negative.iter_mut().rev().zip(&factors[1..]) {
+        *value *= by * factors[p];
+    }
+}
+
+/// The pole of the filter below, √3 − 2.
+const POLE: f32 = -0.267_949_2;
+
+/// Samples after which the filter has forgotten where it started, to a part in 10⁹.
+const WARM_UP: usize = 16;
+
+/// Makes coefficients of a field's samples, index `iz * side + ix`: those of the spline that passes through them.
+///
+/// 6/(z + 4 + 1/z) = −6 r/((1 − r/z)(1 − r z)), r = √3 − 2: once forwards and once backwards along each row
+/// (Unser, Aldroubi and Eden 1993, part II, table I).
+pub(crate) fn interpolate(samples: &mut [f32], side: usize) {
+    for i in 0..side {
+        interpolate_run(samples, i * side, 1, side);
+    }
+    for i in 0..side {
+        interpolate_run(samples, i, side, side);
+    }
+}
+
+/// The samples at `first`, `first + step` … go round.
+fn interpolate_run(samples: &mut [f32], first: usize, step: usize, side: usize) {
+    let at = |i: usize| first + i % side * step;
+    let start = side * WARM_UP - WARM_UP;
+    let mut last = (start..start + WARM_UP).fold(0.0, |last, i| samples[at(i)] + POLE * last);
+    for i in 0..side {
+        last = samples[at(i)] + POLE * last;
+        samples[at(i)] = last;
+    }
+    let mut next = (0..WARM_UP).rev().fold(0.0, |next, i| POLE * (next - 6.0 * samples[at(i)]));
+    for i in (0..side).rev() {
+        next = POLE * (next - 6.0 * samples[at(i)]);
+        samples[at(i)] = next;
+    }
+}
+
 /// The four coefficients about a place, and the weights of each for the value and for the derivative by the
 /// sample number.
 #[derive(Clone, Copy)]
-pub(super) struct Taps {
+pub(crate) struct Taps {
     first: usize,
     mask: usize,
     value: [f32; 4],
@@ -44,7 +99,7 @@ pub(super) struct Taps {
 impl Taps {
     /// Of a place counted in samples, 0 ≤ `place` ≤ `side`, on a grid with a power of two of them.
     #[inline(always)]
-    pub(super) fn at(place: f64, side: usize) -> Self {
+    pub(crate) fn at(place: f64, side: usize) -> Self {
         // Not below 0, so the cast is the floor, without a call.
         let whole = place as usize;
         let t = (place - whole as f64) as f32;
@@ -70,15 +125,15 @@ impl Taps {
 
 /// A value with its derivatives by the sample numbers along x and z.
 #[derive(Clone, Copy)]
-pub(super) struct Jet {
-    pub(super) value: Vec4,
-    pub(super) by_x: Vec4,
-    pub(super) by_z: Vec4,
+pub(crate) struct Jet {
+    pub(crate) value: Vec4,
+    pub(crate) by_x: Vec4,
+    pub(crate) by_z: Vec4,
 }
 
 /// Value and derivatives at a place, of coefficients whose index is `iz * side + ix`.
 #[inline(always)]
-pub(super) fn jet(coefficients: &[Vec4], x: &Taps, z: &Taps) -> Jet {
+pub(crate) fn jet(coefficients: &[Vec4], x: &Taps, z: &Taps) -> Jet {
     let columns = x.places();
     let (mut value, mut by_x, mut by_z) = (Vec4::ZERO, Vec4::ZERO, Vec4::ZERO);
     for (i, row) in z.places().into_iter().enumerate() {
@@ -97,7 +152,7 @@ pub(super) fn jet(coefficients: &[Vec4], x: &Taps, z: &Taps) -> Jet {
 
 /// The value alone.
 #[inline(always)]
-pub(super) fn value(coefficients: &[Vec4], x: &Taps, z: &Taps) -> Vec4 {
+pub(crate) fn value(coefficients: &[Vec4], x: &Taps, z: &Taps) -> Vec4 {
     let columns = x.places();
     let mut value = Vec4::ZERO;
     for (i, row) in z.places().into_iter().enumerate() {
@@ -125,6 +180,27 @@ mod tests {
         }
         assert_eq!(Taps::at(0.5, 16).places(), [15, 0, 1, 2]);
         assert_eq!(Taps::at(16.0, 16).places(), [15, 0, 1, 2]);
+    }
+
+    /// Of any number of samples, down to one: the spline passes through them all.
+    #[test]
+    fn coefficients_of_samples_pass_through_them() {
+        for side in [1, 2, 3, 16, 37] {
+            let samples: Vec<f32> = (0..side * side).map(|i| ((i * i) % 13) as f32 - 6.0).collect();
+            let mut found = samples.clone();
+            interpolate(&mut found, side);
+            let weights = [1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0];
+            for (i, sample) in samples.iter().enumerate() {
+                let mut sum = 0.0;
+                for (dz, wz) in weights.iter().enumerate() {
+                    for (dx, wx) in weights.iter().enumerate() {
+                        let (x, z) = ((i % side + side - 1 + dx) % side, (i / side + side - 1 + dz) % side);
+                        sum += wx * wz * found[z * side + x];
+                    }
+                }
+                assert!((sum - sample).abs() < 1e-5, "{side}: {sum} instead of {sample}");
+            }
+        }
     }
 
     /// A diagonal wave: its value, both derivatives, and the error that the text above promises.
