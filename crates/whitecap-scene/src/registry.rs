@@ -47,9 +47,10 @@ impl<T> Tag<T> {
         Key::new(self.key, self.doc, self)
     }
 
-    /// The first kind that has this key.
-    pub(crate) fn owner_of(&self, key: &str) -> Option<&'static Registered<T>> {
-        self.all.iter().find(|kind| (kind.keys)().iter().any(|of_kind| of_kind.key == key))
+    /// The words of the kinds that have this key.
+    pub(crate) fn owners_of(&self, key: &str) -> Vec<&'static str> {
+        let has_it = |kind: &&Registered<T>| (kind.keys)().iter().any(|of_kind| of_kind.key == key);
+        self.all.iter().filter(has_it).map(|kind| kind.word).collect()
     }
 
     fn words(&self) -> Vec<&'static str> {

@@ -110,6 +110,40 @@ fn errors_name_the_line_of_the_scene_and_the_file() {
     }
 }
 
+/// A set of files of which one ends an hour early.
+#[test]
+fn a_passed_over_hour_is_a_warning() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = write(folder.path(), "measured = \"data/44097.data_spec\"");
+    let hour = |hour: u32, value: f64| {
+        format!("2020 06 08 0{hour} 50 {value} (0.100) {value} (0.110) {value} (0.120)\n")
+    };
+    let file = |extension: &str, head: &str, value: f64, hours: &[u32]| {
+        let rows: String = hours.iter().map(|&at| hour(at, value)).collect();
+        let path = folder.path().join(format!("data/44097.{extension}"));
+        std::fs::write(path, format!("#YY MM DD hh mm {head}\n{rows}")).unwrap();
+    };
+    file("data_spec", "Sep_Freq < spec_1", 3.0, &[5, 4]);
+    for (extension, head, value) in
+        [("swdir", "alpha1_1", 270.0), ("swdir2", "alpha2_1", 270.0), ("swr2", "r2_1", 0.6)]
+    {
+        file(extension, head, value, &[5, 4]);
+    }
+    file("swr1", "r1_1", 0.8, &[4]);
+    let warnings = Scene::load(&scene).unwrap().warnings.join("\n");
+    assert!(
+        warnings.contains(
+            "44097.swr1 has no directions of 2020-06-08T05:50:00Z, the newest record; that of 2020-06-08T04:50:00Z is \
+             drawn"
+        ),
+        "{warnings}"
+    );
+    let scene = write(folder.path(), "measured = \"data/44097.data_spec\"\ntime = \"2020-06-08T05:50\"");
+    let said = Scene::load(&scene).unwrap_err().to_string();
+    assert!(said.contains("storm.toml:7: sea.system[0].time = \"2020-06-08T05:50\": "), "{said}");
+    assert!(said.contains("44097.swr1; accepted: another time, or from_deg"), "{said}");
+}
+
 /// Text alone has no folder: nothing is opened, and what is written back is the same scene.
 #[test]
 fn text_is_read_without_its_files() {

@@ -271,6 +271,54 @@ fn contradictions() {
     );
 }
 
+#[test]
+fn a_current_has_a_speed() {
+    assert_eq!(
+        message("amplitudes", "current_toward_deg = 90"),
+        "storm.toml:7: sea.current_toward_deg = 90: without current_mps; accepted: both or none of them, as a \
+         current has a speed"
+    );
+    let still = SCENE.replace("amplitudes", "current_mps = 0\ncurrent_toward_deg = 90\namplitudes");
+    Scene::from_toml(&still, "storm.toml").unwrap();
+}
+
+/// What is wrong with the tiles is said under the keys of the tables that the file has.
+#[test]
+fn tiles_that_do_not_hold_the_sea() {
+    let with = |tiles: &str| {
+        let start =
+            "technique = \"spectral-ocean\"\n[sea]\n[[sea.system]]\nspectrum = \"jonswap\"\nfrom_deg = 9\n";
+        let camera = "[camera]\nposition_m = [0, 4, 0]\nlook_at_m = [9, 0, 0]\n";
+        let sea = "significant_height_m = 3\npeak_period_s = 9\n";
+        Scene::from_toml(&format!("{start}{sea}{tiles}{camera}"), "storm.toml")
+    };
+    let tile = |size_m: f64, resolution: u32| {
+        format!("[[sea.cascade]]\ntile_size_m = {size_m:?}\nresolution = {resolution}\n")
+    };
+    let refused = |tiles: &str| with(tiles).unwrap_err().to_string();
+    assert_eq!(
+        refused(&(tile(7.0, 64) + &tile(20.0, 64))),
+        "storm.toml:12: sea.cascade[1].tile_size_m = 20.0: the 2 tiles carry only 0 % of the energy of wave system 0: \
+         its waves are too long; a tile of 506 m is large enough"
+    );
+    assert_eq!(
+        refused(&tile(20.0, 64)),
+        "storm.toml:9: sea.cascade[0].tile_size_m = 20.0: a tile of 20 m with 64 samples a side carries only 0 % of \
+         the energy of wave system 0: its waves are too long; a tile of 506 m is large enough"
+    );
+    let message = refused(&(tile(9000.0, 16) + &tile(5000.0, 16)));
+    assert!(
+        message.starts_with("storm.toml:13: sea.cascade[1].resolution = 16: the 2 tiles carry only"),
+        "{message}"
+    );
+    // And where only a part is lost.
+    let warned = |tiles: &str| with(tiles).unwrap().warnings.join("\n");
+    let message = warned(&(tile(30.0, 64) + &tile(200.0, 64)));
+    assert!(message.contains("too long for a tile of 200 m; sea.cascade[1].tile_size_m = "), "{message}");
+    let message = warned(&(tile(800.0, 64) + &tile(600.0, 32)));
+    assert!(message.contains("a greater sea.cascade[1].resolution or one more [[sea.cascade]]"), "{message}");
+}
+
 /// A scene whose only wave system has these lines.
 fn system(lines: &str) -> String {
     format!("[sea]\ntile_size_m = 400.0\nresolution = 256\n[[sea.system]]\nfrom_deg = 250.0\n{lines}\n")
@@ -315,8 +363,12 @@ fn a_wave_system_says_how_high_it_is_in_one_way() {
         );
     }
     assert!(after("spectrum = \"pierson-moskowitz\"\nsea_state = 4\nfetch_km = 100").starts_with(
-        "storm.toml:8: sea.system[0].fetch_km: only with spectrum = \"jonswap\", but here spectrum = \
-             \"pierson-moskowitz\"; "
+        "storm.toml:8: sea.system[0].fetch_km: only with spectrum = \"jonswap\", \"tma\" or \"elfouhaily\", but here \
+         spectrum = \"pierson-moskowitz\"; "
+    ));
+    assert!(after("spectrum = \"phillips\"\nsea_state = 4\ngamma = 2").starts_with(
+        "storm.toml:8: sea.system[0].gamma: only with spectrum = \"jonswap\" or \"tma\", but here spectrum = \
+         \"phillips\"; "
     ));
 }
 

@@ -1,6 +1,7 @@
 //! Files that are written whole or not at all.
 
 use crate::failure::Failure;
+use crate::part::Part;
 use anyhow::anyhow;
 use std::ffi::OsString;
 use std::fs;
@@ -10,8 +11,8 @@ use std::path::{Path, PathBuf};
 /// A file to be written once the work for it is done.
 ///
 /// The bytes go into a temporary file beside it, which takes its name when it is complete and on the
-/// disk. Whoever looks at the name sees the old file or the new one, never half of one; a killed process
-/// leaves at most a `.whitecap-….part`.
+/// disk. Whoever looks at the name sees the old file or the new one, never half of one. A process that is
+/// told to end leaves nothing, a killed one at most a `.whitecap-….part`.
 #[derive(Debug)]
 pub(crate) struct WholeFile {
     path: PathBuf,
@@ -72,28 +73,21 @@ impl WholeFile {
     ) -> Result<(), Failure> {
         let failure = |error| cannot_write(&self.path, error);
         let mut temporary = self.temporary().map_err(failure)?;
-        fill(temporary.as_file_mut())?;
-        temporary.as_file().sync_all().map_err(failure)?;
-        temporary.persist(&self.path).map_err(|refused| failure(refused.error))?;
-        Ok(())
+        fill(temporary.file_mut())?;
+        temporary.file_mut().sync_all().map_err(failure)?;
+        temporary.persist(&self.path).map_err(failure)
     }
 
     /// A file in the same folder, since renaming is atomic only within one file system. It is removed when
     /// dropped.
-    fn temporary(&self) -> io::Result<tempfile::NamedTempFile> {
+    fn temporary(&self) -> io::Result<Part> {
         let mut suffix = OsString::new();
         if let Some(extension) = self.path.extension() {
             suffix.push(".");
             suffix.push(extension);
         }
         suffix.push(".part");
-        let mut builder = tempfile::Builder::new();
-        // Opened by ourselves, as any new file: the user's umask decides who may read it, and an error is
-        // the system's own, without the random name.
-        builder
-            .prefix(".whitecap-")
-            .suffix(&suffix)
-            .make_in(&self.folder, |path| fs::File::options().write(true).create_new(true).open(path))
+        Part::new(&self.folder, ".whitecap-", &suffix)
     }
 }
 

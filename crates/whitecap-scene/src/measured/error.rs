@@ -148,6 +148,15 @@ pub enum MeasuredProblem {
     #[error("no directions in the file; needs from_deg, the bearing that the waves come from")]
     NoDirections,
 
+    /// The files of directions lack this record's.
+    #[error("no directions of {time} in {lacking}; accepted: another time, or from_deg for this one")]
+    NoDirectionsThen {
+        /// The file without them.
+        lacking: String,
+        /// The record's time.
+        time: String,
+    },
+
     /// The file says it, so the scene must not.
     #[error("the file has its own directions; accepted: no {key}")]
     HasDirections {

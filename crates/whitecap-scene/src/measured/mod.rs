@@ -27,7 +27,7 @@ use std::path::Path;
 
 pub use error::{MeasuredError, MeasuredProblem};
 pub use sea::{Directions, Energy, Format, MeasuredSea, Place};
-pub use select::{Selection, When, select};
+pub use select::{Selection, When, passed_over, select};
 pub use time::Time;
 
 use text::Text;

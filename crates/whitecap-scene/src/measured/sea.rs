@@ -81,6 +81,13 @@ pub enum Energy {
         /// S(f) in m²/Hz for each frequency.
         density: Vec<f64>,
     },
+    /// How much energy each frequency has; its directions should be in files beside it, but are not.
+    Undirected {
+        /// S(f) in m²/Hz for each frequency.
+        density: Vec<f64>,
+        /// The file that has nothing of this time, or all of them.
+        lacking: Arc<str>,
+    },
     /// The energy of each frequency and the first moments of its directions.
     Moments {
         /// S(f) in m²/Hz for each frequency.
@@ -123,7 +130,9 @@ impl MeasuredSea {
         let sum = |density: &[f64]| density.iter().zip(&widths).map(|(s, width)| s * width).sum();
         match &self.energy {
             Energy::Missing | Energy::Calm => 0.0,
-            Energy::Omnidirectional { density } | Energy::Moments { density, .. } => sum(density),
+            Energy::Omnidirectional { density }
+            | Energy::Undirected { density, .. }
+            | Energy::Moments { density, .. } => sum(density),
             Energy::Directional { toward_rad, density } => {
                 let step = quadrature::direction_step(toward_rad);
                 let of_frequency = |row: &[f64]| row.iter().sum::<f64>() * step;
@@ -148,8 +157,8 @@ impl MeasuredSea {
         let parameters = match &self.energy {
             Energy::Missing => return Err(self.without_waves("every value is missing")),
             Energy::Calm => return Err(self.without_waves("every value is 0")),
-            Energy::Omnidirectional { density } => {
-                let from_deg = from_deg.ok_or(MeasuredProblem::NoDirections)?;
+            Energy::Omnidirectional { density } | Energy::Undirected { density, .. } => {
+                let from_deg = from_deg.ok_or_else(|| self.without_directions())?;
                 if method.is_some() {
                     return Err(MeasuredProblem::NoMoments);
                 }
@@ -178,6 +187,23 @@ impl MeasuredSea {
     /// Whether there is anything to be seen.
     pub fn has_waves(&self) -> bool {
         !matches!(self.energy, Energy::Missing | Energy::Calm)
+    }
+
+    /// The file beside it that should have its directions and has not.
+    pub fn lacking_directions(&self) -> Option<&str> {
+        match &self.energy {
+            Energy::Undirected { lacking, .. } => Some(lacking),
+            _ => None,
+        }
+    }
+
+    fn without_directions(&self) -> MeasuredProblem {
+        match (self.lacking_directions(), self.time) {
+            (Some(lacking), Some(time)) => {
+                MeasuredProblem::NoDirectionsThen { lacking: lacking.to_owned(), time: time.to_string() }
+            }
+            _ => MeasuredProblem::NoDirections,
+        }
     }
 
     fn without_waves(&self, why: &'static str) -> MeasuredProblem {

@@ -14,7 +14,7 @@ pub struct Selection {
 /// The time of a record.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum When {
-    /// The newest that has waves.
+    /// The newest that has waves, and directions where there are files of them.
     #[default]
     Newest,
     /// The record of this time, which must be there and have waves.
@@ -49,7 +49,9 @@ pub fn select<'a>(
     match selection.when {
         When::Newest => {
             let count = records.len();
-            records.iter().find(|sea| sea.has_waves()).copied().ok_or_else(|| MeasuredProblem::NoWaves {
+            let whole = |sea: &&&MeasuredSea| sea.has_waves() && sea.lacking_directions().is_none();
+            let newest = records.iter().find(whole).or_else(|| records.iter().find(|sea| sea.has_waves()));
+            newest.copied().ok_or_else(|| MeasuredProblem::NoWaves {
                 which: format!("{count} records are"),
                 why: "every value is missing or 0",
             })
@@ -73,6 +75,14 @@ pub fn select<'a>(
             records.get(asked).copied().ok_or(MeasuredProblem::NoSuchRecord { asked, count })
         }
     }
+}
+
+/// The newest record of the same place that has waves, is newer than `chosen`, and lacks directions: what choosing
+/// the newest passes over.
+pub fn passed_over<'a>(seas: &'a [MeasuredSea], chosen: &MeasuredSea) -> Option<&'a MeasuredSea> {
+    let newer = |sea: &&MeasuredSea| sea.place.number == chosen.place.number && sea.time > chosen.time;
+    let lacking = |sea: &&MeasuredSea| sea.lacking_directions().is_some();
+    seas.iter().filter(newer).filter(lacking).max_by_key(|sea| sea.time)
 }
 
 fn no_such_place(seas: &[MeasuredSea], asked: &str) -> MeasuredProblem {

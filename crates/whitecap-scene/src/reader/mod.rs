@@ -7,7 +7,7 @@ mod value;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-pub(crate) use nearest::{did_you_mean, quoted_list};
+pub(crate) use nearest::{did_you_mean, quoted_choice, quoted_list};
 pub(crate) use source::Source;
 pub(crate) use value::ValueReader;
 
@@ -75,11 +75,11 @@ impl<'a> TableReader<'a> {
         let keys = (chosen.keys)();
         let accepted = std::iter::once(tag.key).chain(keys.iter().map(|key| key.key));
         self.refuse_unknown(accepted, |found| {
-            let owner = tag.owner_of(found)?;
-            Some(format!(
-                "only with {0} = \"{1}\", but here {0} = \"{2}\"; ",
-                tag.key, owner.word, chosen.word
-            ))
+            let owners = tag.owners_of(found);
+            (!owners.is_empty()).then(|| {
+                let owners = quoted_choice(&owners);
+                format!("only with {0} = {owners}, but here {0} = \"{1}\"; ", tag.key, chosen.word)
+            })
         })?;
         (chosen.read)(self)
     }

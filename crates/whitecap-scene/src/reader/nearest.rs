@@ -24,6 +24,14 @@ pub(crate) fn did_you_mean(found: &str, accepted: &[&str]) -> String {
         .unwrap_or_default()
 }
 
+/// `"one", "two" or "three"`.
+pub(crate) fn quoted_choice(words: &[&str]) -> String {
+    match words {
+        [several @ .., last] if !several.is_empty() => format!("{} or \"{last}\"", quoted_list(several)),
+        words => quoted_list(words),
+    }
+}
+
 /// `"one", "two"`.
 pub(crate) fn quoted_list(words: &[&str]) -> String {
     words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ")

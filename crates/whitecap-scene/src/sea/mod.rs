@@ -2,6 +2,7 @@
 
 mod calm;
 mod cascade;
+mod fitting;
 mod perlin;
 mod sines;
 mod spectral;

@@ -1,7 +1,6 @@
 //! Settings of a sea drawn from spectra and moved by a Fourier transform.
 
 use glam::DVec2;
-use whitecap_waves::ParameterError;
 use whitecap_waves::dispersion::Dispersion;
 use whitecap_waves::model::spectral::{self, CascadeBudget, SpectralSea, SpectralSeaParameters, Water};
 use whitecap_waves::spectrum::{Profile, WaveSpectrum};
@@ -9,7 +8,7 @@ use whitecap_waves::statistics::significant_height_m;
 
 use super::cascade::{CASCADES, Cascade};
 use super::system::{SYSTEMS, System};
-use super::{SeaModel, SeaSurface};
+use super::{SeaModel, SeaSurface, fitting};
 use crate::error::SceneError;
 use crate::key::{Count, Flag, OneOf, PowerOfTwo, Real, optional, or, required, table, words};
 use crate::reader::TableReader;
@@ -93,6 +92,12 @@ impl SpectralSettings {
             return Err(table.error(
                 Some(key),
                 "beside [[sea.cascade]]; accepted: one of the two, tiles one by one or a plan for them",
+            ));
+        }
+        if table.has("current_toward_deg") && !table.has("current_mps") {
+            return Err(table.error(
+                Some("current_toward_deg"),
+                "without current_mps; accepted: both or none of them, as a current has a speed",
             ));
         }
         Ok(settings)
@@ -191,7 +196,7 @@ impl SpectralSettings {
                 Amplitudes::Gaussian => spectral::Amplitudes::Gaussian,
             },
         };
-        SpectralSea::new(parameters, spectra).map_err(|error| problem(&error))
+        SpectralSea::new(parameters, spectra).map_err(|error| fitting::problem(self, &error))
     }
 
     /// Where the sea of these settings bends what was asked for: one sentence each.
@@ -209,7 +214,7 @@ impl SpectralSettings {
                 "sea.system[{index}]: its tiles carry {:.1} % of its energy, {there_m:.2} m of {asked_m:.2} m of \
                  significant height: {}",
                 100.0 * captured,
-                self.remedy(sea, &Profile::of(&spectrum)),
+                fitting::remedy(self, sea, &Profile::of(&spectrum)),
             ))
         };
         let unusual = self.system.iter().zip(&spectra).enumerate().flat_map(|(index, (system, spectrum))| {
@@ -235,39 +240,5 @@ impl SpectralSettings {
         };
         let hurried = spectra.iter().enumerate().filter_map(hurried);
         Ok(unusual.chain(captured.enumerate().filter_map(lost)).chain(hurried).collect())
-    }
-
-    /// What would make the rest of a spectrum fit.
-    fn remedy(&self, sea: &SpectralSea, profile: &Profile) -> String {
-        let cascades = &sea.parameters().cascades;
-        let (first, last) = (cascades[0], cascades[cascades.len() - 1]);
-        let finest = last.band.to.min(std::f64::consts::PI * last.resolution as f64 / last.tile_size_m);
-        let longest = std::f64::consts::TAU / first.tile_size_m;
-        let too_short = profile.variance_m2(spectral::Band { from: finest, to: f64::INFINITY });
-        let too_long = profile.variance_m2(spectral::Band { from: 0.0, to: longest });
-        if too_long > too_short {
-            let length_m = (8.0 * std::f64::consts::TAU / profile.peak_wave_number()).ceil();
-            format!(
-                "its waves are too long for a tile of {} m; tile_size_m = {length_m} holds them",
-                first.tile_size_m
-            )
-        } else {
-            format!(
-                "waves below {:.2} m are too short for the samples; more resolution, more cascades or a smaller tile \
-                 hold them",
-                std::f64::consts::TAU / finest
-            )
-        }
-    }
-}
-
-/// The sea's own complaint, under the key that it is about.
-fn problem(error: &ParameterError) -> SceneError {
-    match error {
-        ParameterError::OutOfRange { field, value, accepted } => SceneError::about_key(
-            format!("sea.{field}"),
-            format!("{value} is out of range for this sea; accepted: {accepted}"),
-        ),
-        _ => SceneError::about_key("sea.tile_size_m", error.to_string()),
     }
 }

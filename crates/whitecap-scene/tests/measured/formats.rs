@@ -38,7 +38,7 @@ fn ndbc_real_time_with_directions() {
     let Energy::Moments { moments, .. } = &seas[0].energy else { panic!("no moments") };
     assert_eq!(moments.iter().map(Option::is_some).collect::<Vec<_>>(), [false, true, true]);
     // The next hour has no directions, so it is like a file without.
-    assert!(matches!(seas[1].energy, Energy::Omnidirectional { .. }));
+    assert_eq!(seas[1].lacking_directions(), Some("44097.data_spec (.swdir)"));
     for (method, expected) in [
         (None, 0.8),
         (Some(DirectionMethod::MaximumEntropy), 0.8),

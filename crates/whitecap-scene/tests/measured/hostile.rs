@@ -15,7 +15,9 @@ fn check(read: Result<Vec<MeasuredSea>, whitecap_scene::measured::MeasuredError>
             assert!(!seas.is_empty());
             for sea in seas.iter().take(5) {
                 assert!(sea.variance_m2() >= 0.0 && sea.variance_m2().is_finite());
-                let from_deg = matches!(sea.energy, Energy::Omnidirectional { .. }).then_some(200.0);
+                let has_none =
+                    matches!(sea.energy, Energy::Omnidirectional { .. } | Energy::Undirected { .. });
+                let from_deg = has_none.then_some(200.0);
                 match sea.spectrum(&Directions { from_deg, ..Directions::default() }, &Dispersion::DEEP) {
                     Ok(spectrum) => assert!(variance(&spectrum) >= 0.0 && variance(&spectrum).is_finite()),
                     Err(problem) => assert!(!sea.has_waves(), "{problem}"),

@@ -1,6 +1,6 @@
 //! Which record of a file is meant, and what to say if there is none.
 
-use whitecap_scene::measured::{Directions, Selection, Time, When, select};
+use whitecap_scene::measured::{Directions, Selection, Time, When, passed_over, select};
 use whitecap_waves::dispersion::Dispersion;
 
 use super::*;
@@ -26,6 +26,50 @@ fn the_newest_with_waves_of_the_first_place() {
     assert_eq!(chosen(SWAN, None, When::Newest).unwrap(), "1 2016-10-11T00:00:00Z");
     let calm = chosen("YYYY MM DD hh .1 .2\n2000 01 01 00 0 0\n2000 01 01 01 MM MM\n", None, When::Newest);
     assert_eq!(calm.unwrap_err(), "2 records are without waves: every value is missing or 0");
+}
+
+/// A set of files whose directions come later, or not at all, for some hours.
+#[test]
+fn the_newest_with_waves_and_directions() {
+    let newest =
+        |hour: usize| format!("#\n2020 06 08 04 50 9.999 {hour}.00 (0.100) 4.000 (0.110) 2.000 (0.120)\n");
+    let text = DATA_SPEC.to_owned() + &newest(1);
+    let directions = DIRECTIONS.map(str::as_bytes);
+    let seas = from_bytes_with_directions(text.as_bytes(), directions, "44097.data_spec").unwrap();
+    let label = |sea: &MeasuredSea| sea.time.unwrap().to_string();
+    let found = select(&seas, &Selection::default()).unwrap();
+    assert_eq!(label(found), "2020-06-08T03:50:00Z");
+    assert_eq!(passed_over(&seas, found).map(label).as_deref(), Some("2020-06-08T04:50:00Z"));
+    // Who asks for the hour itself hears which file lacks it, and may say the direction.
+    let when = When::At(Time::parse("2020-06-08T04:50").unwrap());
+    let asked = select(&seas, &Selection { when, ..Selection::default() }).unwrap();
+    assert_eq!(passed_over(&seas, asked), None);
+    let nothing = Directions::default();
+    assert_eq!(
+        asked.spectrum(&nothing, &Dispersion::DEEP).unwrap_err().to_string(),
+        "no directions of 2020-06-08T04:50:00Z in 44097.data_spec (.swdir); accepted: another time, or from_deg for \
+         this one"
+    );
+    asked.spectrum(&Directions { from_deg: Some(9.0), ..nothing }, &Dispersion::DEEP).unwrap();
+    // One file of four is enough to lack it, by its absence or by missing values alone.
+    for (index, extension) in ["swdir", "swdir2", "swr1", "swr2"].into_iter().enumerate() {
+        for lacking in
+            [DIRECTIONS[index].to_owned(), format!("{}2020 06 08 04 50 999 (0.110)\n", DIRECTIONS[index])]
+        {
+            let whole = DIRECTIONS.map(|file| format!("{file}2020 06 08 04 50 0.5 (0.110)\n"));
+            let mut files = whole.each_ref().map(|file| file.as_bytes());
+            files[index] = lacking.as_bytes();
+            let seas = from_bytes_with_directions(text.as_bytes(), files, "x").unwrap();
+            let found = select(&seas, &Selection::default()).unwrap();
+            let lacking = passed_over(&seas, found).and_then(MeasuredSea::lacking_directions);
+            assert_eq!(lacking, Some(format!("x (.{extension})").as_str()));
+        }
+    }
+    // Where no hour has directions, the newest is meant and says why it cannot be drawn.
+    let early = DIRECTIONS.map(|file| file.replace("2020", "2019"));
+    let seas = from_bytes_with_directions(text.as_bytes(), early.each_ref().map(|file| file.as_bytes()), "x")
+        .unwrap();
+    assert_eq!(label(select(&seas, &Selection::default()).unwrap()), "2020-06-08T04:50:00Z");
 }
 
 #[test]

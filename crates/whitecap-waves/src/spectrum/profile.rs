@@ -8,7 +8,7 @@ use super::WaveSpectrum;
 use crate::model::spectral::Band;
 
 /// The wave numbers that are looked at, in rad/m: waves from 60 km to 0.6 mm.
-const LOWEST: f64 = 1e-4;
+const LOWEST: f64 = Band::OF_SEAS.from;
 const DECADES: f64 = 8.0;
 const STEPS: usize = 1600;
 

@@ -32,7 +32,7 @@ mod tests;
 pub use directions::{DirectionalSum, SlopeVariance};
 pub use lattice::{FrequencyBin, LatticeWaves, frequency_bins};
 pub use moments::{Moments, kurtosis, mean, skewness, variance};
-pub use polar::{PolarSpectrum, WaveBand};
+pub use polar::PolarSpectrum;
 pub use sea::{SeaStatistics, SpectralMoments};
 pub use surface::SurfaceStatistics;
 pub use wind::{mean_square_slope, slope_variances, whitecap_cover};

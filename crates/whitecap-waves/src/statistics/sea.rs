@@ -1,8 +1,9 @@
 //! A sea in a handful of numbers.
 
-use super::{DirectionalSum, PolarSpectrum, SlopeVariance, WaveBand, significant_height_m};
+use super::{DirectionalSum, PolarSpectrum, SlopeVariance, significant_height_m};
 use crate::dispersion::Dispersion;
 use crate::error::ParameterError;
+use crate::model::spectral::Band;
 use crate::spectrum::WaveSpectrum;
 use glam::DVec2;
 use std::f64::consts::TAU;
@@ -81,7 +82,7 @@ impl SeaStatistics {
     pub fn of<S: WaveSpectrum>(
         spectra: &[S],
         dispersion: Dispersion,
-        band: WaveBand,
+        band: Band,
     ) -> Result<Self, ParameterError> {
         Ok(PolarSpectrum::of(spectra, dispersion, band)?.statistics())
     }

@@ -73,7 +73,7 @@ fn wind(wind_speed_mps: f64, toward: DVec2) -> Phillips {
 }
 
 fn statistics<S: WaveSpectrum>(spectra: &[S]) -> SeaStatistics {
-    SeaStatistics::of(spectra, Dispersion::DEEP, WaveBand::ALL).unwrap()
+    SeaStatistics::of(spectra, Dispersion::DEEP, Band::WHOLE).unwrap()
 }
 
 /// E|k|² of a plane Gaussian is its peak's plus its width's, in each direction.
@@ -148,11 +148,12 @@ fn variances_of_systems_add_and_opposite_ones_have_no_direction() {
 
 #[test]
 fn bands_share_out_the_energy() {
-    let sea = PolarSpectrum::of(&[west_wind(10.0)], Dispersion::DEEP, WaveBand::ALL).unwrap();
-    let band = |lowest, highest| sea.within(WaveBand { lowest, highest });
+    let sea = PolarSpectrum::of(&[west_wind(10.0)], Dispersion::DEEP, Band::WHOLE).unwrap();
+    let band = |from, to| sea.within(Band { from, to });
     let (m0, slope) = band(1e-4, 1e4);
     near(m0, sea.total().energy_m2, 1e-9);
     near(slope, sea.slope().total(), 1e-9);
+    assert_eq!(sea.within(Band::WHOLE), (m0, slope));
     let (low, high) = (band(1e-4, 0.123), band(0.123, 1e4));
     near(low.0 + high.0, m0, 1e-9);
     near(low.1 + high.1, slope, 1e-9);
@@ -166,7 +167,7 @@ fn what_charts_show_integrates_to_the_variance() {
     let spectrum = Peaked { peak_omega: 0.7, gamma: 3.3, s: 12.0, toward };
     // A bottom changes frequencies, and no energy.
     let dispersion = Dispersion::at_depth(15.0).unwrap();
-    let sea = PolarSpectrum::of(&[spectrum], dispersion, WaveBand::ALL).unwrap();
+    let sea = PolarSpectrum::of(&[spectrum], dispersion, Band::WHOLE).unwrap();
     let m0 = sea.total().energy_m2;
     let samples = sea.frequency_spectrum();
     let area: f64 = samples.windows(2).map(|w| 0.5 * (w[0].1 + w[1].1) * (w[1].0 - w[0].0)).sum();
@@ -195,9 +196,11 @@ fn bands_and_densities_are_checked() {
             1.0
         }
     }
-    assert!(SeaStatistics::of(&[Broken], Dispersion::DEEP, WaveBand::ALL).is_err());
-    for (lowest, highest) in [(0.0, 1.0), (1.0, 1.0), (f64::NAN, 1.0), (1.0, f64::INFINITY)] {
-        let band = WaveBand { lowest, highest };
+    assert!(SeaStatistics::of(&[Broken], Dispersion::DEEP, Band::WHOLE).is_err());
+    for (from, to) in
+        [(1.0, 1.0), (2.0, 1.0), (f64::NAN, 1.0), (1.0, f64::NAN), (1e4, f64::INFINITY), (0.0, 1e-4)]
+    {
+        let band = Band { from, to };
         assert!(SeaStatistics::of(&[west_wind(5.0)], Dispersion::DEEP, band).is_err(), "{band:?}");
     }
 }
@@ -221,7 +224,7 @@ fn a_synthesised_surface_is_the_sea_of_its_spectrum() {
     for from_deg in [20.0, 115.0, 250.0, 350.0] {
         let spectrum = wind(8.0, toward_from_nautical(from_deg));
         let mut tile = tile(500.0, 128, spectrum);
-        let theory = PolarSpectrum::of(&[spectrum], Dispersion::DEEP, WaveBand::ALL).unwrap();
+        let theory = PolarSpectrum::of(&[spectrum], Dispersion::DEEP, Band::WHOLE).unwrap();
         let surface = SurfaceStatistics::measure([&mut tile as &mut dyn WaveModel], &Water::STILL, 12.5);
         let (expected, found) = (theory.statistics(), &surface.sea);
         near(found.significant_height_m(), significant_height_m(tile.variance_m2()), 1e-3);
@@ -232,7 +235,7 @@ fn a_synthesised_surface_is_the_sea_of_its_spectrum() {
         near(found.energy_period_s().unwrap(), expected.energy_period_s().unwrap(), 0.02);
         near(found.peak_period_s.unwrap(), expected.peak_period_s.unwrap(), 0.06);
         // The lattice reaches into its corners.
-        let (_, resolved) = theory.within(WaveBand::of_tile(500.0, 128));
+        let (_, resolved) = theory.within(Band::of_tile(500.0, 128));
         near(found.slope.total(), resolved, 0.15);
         assert!(surface.skewness.abs() < 0.2 && (surface.kurtosis - 3.0).abs() < 0.5);
     }
@@ -243,8 +246,7 @@ fn rings_of_the_lattice_follow_the_spectrum() {
     let spectrum = west_wind(10.0);
     let mut tile = tile(1500.0, 256, spectrum);
     let surface = SurfaceStatistics::measure([&mut tile as &mut dyn WaveModel], &Water::STILL, 0.0);
-    let samples =
-        PolarSpectrum::of(&[spectrum], Dispersion::DEEP, WaveBand::ALL).unwrap().frequency_spectrum();
+    let samples = PolarSpectrum::of(&[spectrum], Dispersion::DEEP, Band::WHOLE).unwrap().frequency_spectrum();
     let mut compared = 0;
     for bin in surface.bins.iter().filter(|bin| (0.13..0.36).contains(&bin.frequency_hz)) {
         let after = samples.partition_point(|sample| sample.0 < bin.frequency_hz);

@@ -298,6 +298,67 @@ fn a_file_is_written_whole_in_the_format_that_its_name_says() {
 }
 
 #[test]
+fn a_name_that_says_no_format_is_refused_before_any_work() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = drawn_by(folder.path(), "ocean-water");
+    let left = crate::names_in(folder.path());
+    for (place, name, expected) in [
+        (
+            "--at=0,0",
+            "sea.xyz",
+            "the name sea.xyz says no format; accepted: a file name that ends in .csv, .json or .txt",
+        ),
+        ("--at=0,0", "csv", "the name csv says no format"),
+        (
+            "--uv=0,0",
+            "sea.csv",
+            "accepted: a file name that ends in .json or .txt with --uv, or any with --json",
+        ),
+    ] {
+        let assert = whitecap(folder.path()).args(["probe", &scene, place, "-o", name]).assert().code(2);
+        assert!(sentence(&assert).contains(expected), "{}", stderr(&assert));
+        assert_eq!(crate::names_in(folder.path()), left);
+    }
+    // An option says it for any name, and a table for people has an ending of its own.
+    for (name, more, begins) in [("sea.xyz", &["--csv"][..], "x_m,"), ("sea.TXT", &[], "        x, m")] {
+        told(folder.path(), &[&[&scene, "--at=0,0", "-o", name], more].concat());
+        assert!(std::fs::read_to_string(folder.path().join(name)).unwrap().starts_with(begins));
+    }
+}
+
+/// Whoever ends a long run finds no half file, hidden or not, and sees that it was the signal.
+#[cfg(unix)]
+#[test]
+fn a_run_that_is_told_to_end_leaves_nothing() {
+    use std::os::unix::process::ExitStatusExt;
+    use std::process::{Command, Stdio};
+    use std::time::{Duration, Instant};
+    for (name, number) in [("INT", 2), ("TERM", 15)] {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("sea.csv"), "old").unwrap();
+        let mut child = Command::new(env!("CARGO_BIN_EXE_whitecap"))
+            .args(["probe", "five-sample", "--grid=0..9/30000,0..9/30000", "-o", "sea.csv"])
+            .current_dir(folder.path())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let half = || {
+            let entries = std::fs::read_dir(folder.path()).unwrap().flatten();
+            entries.filter_map(|entry| entry.metadata().ok()).any(|about| about.len() > 1000)
+        };
+        let started = Instant::now();
+        while !half() {
+            assert!(started.elapsed() < Duration::from_secs(60), "no rows are written");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        Command::new("kill").args([&format!("-{name}"), &child.id().to_string()]).status().unwrap();
+        assert_eq!(child.wait().unwrap().signal(), Some(number));
+        assert_eq!(crate::names_in(folder.path()), ["sea.csv"]);
+        assert_eq!(std::fs::read_to_string(folder.path().join("sea.csv")).unwrap(), "old");
+    }
+}
+
+#[test]
 fn absurd_numbers_of_rows_are_refused_before_any_work() {
     let folder = tempfile::tempdir().unwrap();
     for arguments in [

@@ -51,9 +51,11 @@ pub(in super::super) fn read(
         let mut energy = energy(&text, row.values)?;
         if let (Energy::Omnidirectional { density }, Some(directions)) = (&mut energy, &directions) {
             let moments: Vec<_> = frequencies_hz.iter().map(|hz| directions.moments(row.time, *hz)).collect();
-            if moments.iter().any(Option::is_some) {
-                energy = Energy::Moments { density: std::mem::take(density), moments };
-            }
+            let density = std::mem::take(density);
+            energy = match moments.iter().any(Option::is_some) {
+                true => Energy::Moments { density, moments },
+                false => Energy::Undirected { density, lacking: directions.lacking(row.time) },
+            };
         }
         let sea = MeasuredSea {
             source: Format::NdbcRealTime,
@@ -68,18 +70,34 @@ pub(in super::super) fn read(
 }
 
 /// α₁, α₂, r₁ and r₂ of every time: frequencies in units of 10⁻⁴ Hz, and values.
-struct Companions([BTreeMap<Time, BTreeMap<u32, f64>>; 4]);
+struct Companions {
+    files: [BTreeMap<Time, BTreeMap<u32, f64>>; 4],
+    names: [Arc<str>; 4],
+}
 
 impl Companions {
     fn moments(&self, time: Time, hz: f64) -> Option<DirectionalMoments> {
         let [mean_deg, principal_deg, r1, r2] =
-            self.0.each_ref().map(|file| file.get(&time)?.get(&key(hz)).copied());
+            self.files.each_ref().map(|file| file.get(&time)?.get(&key(hz)).copied());
         Some(DirectionalMoments {
             r1: r1?,
             mean_toward_rad: toward_rad(mean_deg?),
             r2: r2?,
             principal_toward_rad: toward_rad(principal_deg?),
         })
+    }
+}
+
+impl Companions {
+    /// The first of the files without a value of this time, or where all have some, but none of the same frequency,
+    /// all of them.
+    fn lacking(&self, time: Time) -> Arc<str> {
+        let is_empty =
+            |file: &BTreeMap<Time, BTreeMap<u32, f64>>| file.get(&time).is_none_or(BTreeMap::is_empty);
+        match self.files.iter().position(is_empty) {
+            Some(index) => Arc::clone(&self.names[index]),
+            None => "the four files together".into(),
+        }
     }
 }
 
@@ -107,7 +125,7 @@ fn read_companions(files: [(&[u8], &str); 4]) -> Result<Companions, MeasuredErro
             }
         }
     }
-    Ok(Companions(read))
+    Ok(Companions { files: read, names: files.map(|(_, name)| name.into()) })
 }
 
 /// The next line that is no comment.

@@ -28,7 +28,7 @@ table! {
         /// The file of spectra: NDBC real-time (`.data_spec`, with its files of directions beside it) or historical density, WAVEWATCH III point output, or a SWAN spectral file.
         measured: PathBuf = required(File);
         /// The time of the record, which must be in the file.
-        time: Option<Time> = optional(Moment, "the newest record that has waves");
+        time: Option<Time> = optional(Moment, "the newest record that has waves, and directions if any has");
         /// The record, counted back from the newest, which is 0. Not beside `time`.
         record: Option<u32> = optional(Count { min: 0, max: 1_048_575 }, "see `time`");
         /// The place in a file of several: its name, or its number from 1.
@@ -60,15 +60,22 @@ impl MeasuredSystem {
     ///
     /// If the file cannot be read or has no such record.
     pub fn load(&self, table: &str) -> Result<MeasuredSea, SceneError> {
-        let seas = measured::load(&self.measured)
-            .map_err(|error| SceneError::about_key(format!("{table}.measured"), error.to_string()))?;
+        self.chosen(table, &self.records(table)?).cloned()
+    }
+
+    fn records(&self, table: &str) -> Result<Vec<MeasuredSea>, SceneError> {
+        measured::load(&self.measured)
+            .map_err(|error| SceneError::about_key(format!("{table}.measured"), error.to_string()))
+    }
+
+    fn chosen<'a>(&self, table: &str, seas: &'a [MeasuredSea]) -> Result<&'a MeasuredSea, SceneError> {
         let when = match (self.time, self.record) {
             (Some(time), _) => When::At(time),
             (None, Some(record)) => When::Back(record as usize),
             (None, None) => When::Newest,
         };
         let selection = Selection { place: self.place.clone(), when };
-        measured::select(&seas, &selection).cloned().map_err(|problem| self.problem(table, &problem))
+        measured::select(seas, &selection).map_err(|problem| self.problem(table, &problem))
     }
 
     /// Reads the file and makes the spectrum of its record over water with this dispersion; `table` is what errors
@@ -98,18 +105,38 @@ impl MeasuredSystem {
         Some(significant_height_m(record.variance_m2()))
     }
 
-    /// Where the energy between the file's frequencies is not what the file's own sum says, as with few of them.
+    /// Where the newest record is passed over because it lacks directions, and where the energy between the file's
+    /// frequencies is not what the file's own sum says, as with few of them.
     pub(super) fn warnings(&self, spectrum: &dyn WaveSpectrum) -> Vec<String> {
-        let Some(own_m) = self.significant_height_m() else { return Vec::new() };
+        let table = "sea.system";
+        let Ok(seas) = self.records(table) else { return Vec::new() };
+        let Ok(chosen) = self.chosen(table, &seas) else { return Vec::new() };
+        self.skipped(&seas, chosen).into_iter().chain(self.resummed(chosen, spectrum)).collect()
+    }
+
+    fn skipped(&self, seas: &[MeasuredSea], chosen: &MeasuredSea) -> Option<String> {
+        if self.time.is_some() || self.record.is_some() {
+            return None;
+        }
+        let newer = measured::passed_over(seas, chosen)?;
+        let (lacking, newest, drawn) = (newer.lacking_directions()?, newer.time?, chosen.time?);
+        Some(format!(
+            "{lacking} has no directions of {newest}, the newest record; that of {drawn} is drawn, the newest with \
+             directions"
+        ))
+    }
+
+    fn resummed(&self, chosen: &MeasuredSea, spectrum: &dyn WaveSpectrum) -> Option<String> {
+        let own_m = significant_height_m(chosen.variance_m2());
         let drawn_m = significant_height_m(spectrum.variance_m2());
         if (drawn_m - own_m).abs() <= 0.01 * own_m {
-            return Vec::new();
+            return None;
         }
-        vec![format!(
+        Some(format!(
             "{} sums to {own_m:.2} m of significant height by its own bands, and to {drawn_m:.2} m between its few \
              frequencies, which is what is drawn",
             self.measured.display()
-        )]
+        ))
     }
 
     /// The file's complaint, under the key that would mend it.
@@ -121,8 +148,16 @@ impl MeasuredSystem {
             MeasuredProblem::NoDirections => "from_deg",
             MeasuredProblem::NoMoments => "direction_method",
             MeasuredProblem::HasDirections { key } => key,
-            MeasuredProblem::NoWaves { .. } if self.time.is_some() => "time",
-            MeasuredProblem::NoWaves { .. } if self.record.is_some() => "record",
+            MeasuredProblem::NoWaves { .. } | MeasuredProblem::NoDirectionsThen { .. }
+                if self.time.is_some() =>
+            {
+                "time"
+            }
+            MeasuredProblem::NoWaves { .. } | MeasuredProblem::NoDirectionsThen { .. }
+                if self.record.is_some() =>
+            {
+                "record"
+            }
             _ => "measured",
         };
         SceneError::about_key(format!("{table}.{key}"), format!("{}: {problem}", self.measured.display()))

@@ -17,28 +17,9 @@ mod sampling;
 use super::sea::peak_of;
 use super::{DirectionalSum, SeaStatistics, SlopeVariance, SpectralMoments};
 use crate::dispersion::Dispersion;
+use crate::model::spectral::Band;
 use glam::DVec2;
 use std::f64::consts::TAU;
-
-/// Which waves count, by their wave numbers.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WaveBand {
-    /// The lowest wave number in rad/m, above 0.
-    pub lowest: f64,
-    /// The highest wave number in rad/m, above the lowest.
-    pub highest: f64,
-}
-
-impl WaveBand {
-    /// Every wave of the sea: from 60 km to 0.6 mm.
-    pub const ALL: Self = Self { lowest: 1e-4, highest: 1e4 };
-
-    /// What a square lattice carries along its axes: from waves as long as the tile to those of two samples.
-    pub fn of_tile(tile_size_m: f64, resolution: usize) -> Self {
-        let lowest = TAU / tile_size_m;
-        Self { lowest, highest: lowest * resolution as f64 / 2.0 }
-    }
-}
 
 /// The energy of one wave number.
 #[derive(Debug, Clone, Copy)]
@@ -92,8 +73,9 @@ impl PolarSpectrum {
     }
 
     /// The part of m0 in m² that lies within `band`, and of the mean square slope.
-    pub fn within(&self, band: WaveBand) -> (f64, f64) {
-        let (low, high) = (libm::log(band.lowest), libm::log(band.highest));
+    pub fn within(&self, band: Band) -> (f64, f64) {
+        // Minus infinity for waves of any length: the shares below take it as the first ring.
+        let (low, high) = (libm::log(band.from), libm::log(band.to));
         let (mut variance_m2, mut slope) = (0.0, 0.0);
         for pair in self.rings.windows(2) {
             let [a, b] = pair else { continue };
@@ -158,6 +140,7 @@ impl PolarSpectrum {
             let run = &self.energy_m2[i * n..][..n];
             (run[j] * (1.0 - across) + run[(j + 1) % n] * across) * self.per_hz(&self.rings[i])
         };
+        // Minus infinity for waves of any length: the shares below take it as the first ring.
         let (low, high) = (self.rings[after - 1].omega, self.rings[after].omega);
         let between = (omega - low) / (high - low);
         at(after - 1) * (1.0 - between) + at(after) * between

@@ -2,9 +2,10 @@
 //!
 //! Symbols as in the [module above](super). Samples are added in u or in θ until every second one would have done.
 
-use super::{PolarSpectrum, Ring, WaveBand};
+use super::{PolarSpectrum, Ring};
 use crate::dispersion::Dispersion;
 use crate::error::{ParameterError, check};
+use crate::model::spectral::Band;
 use crate::spectrum::WaveSpectrum;
 use crate::statistics::{DirectionalSum, SlopeVariance};
 use glam::DVec2;
@@ -21,7 +22,8 @@ const FIRST: (f64, usize) = (0.02, 128);
 const FINEST: (f64, usize) = (0.0025, 1024);
 
 impl PolarSpectrum {
-    /// Samples all `spectra` together within `band`, finely enough for integrals to 1e-3, with any frequency as
+    /// Samples all `spectra` together within `band`, as far as it lies between 1e-4 and 1e4 rad/m (60 km and 0.6 mm),
+    /// finely enough for integrals to 1e-3, with any frequency as
     /// `dispersion` says.
     ///
     /// # Errors
@@ -30,10 +32,11 @@ impl PolarSpectrum {
     pub fn of<S: WaveSpectrum>(
         spectra: &[S],
         dispersion: Dispersion,
-        band: WaveBand,
+        band: Band,
     ) -> Result<Self, ParameterError> {
-        check("lowest", band.lowest, "above 0", |k| k > 0.0)?;
-        check("highest", band.highest, "above the lowest wave number", |k| k > band.lowest)?;
+        let band = band.of_a_sea();
+        check("from", band.from, "a wave number", |_| true)?;
+        check("to", band.to, "a wave number above `from`, between 1e-4 and 1e4 rad/m", |k| k > band.from)?;
         let expected: f64 = spectra.iter().map(WaveSpectrum::variance_m2).sum();
         let (mut step, mut directions) = FIRST;
         loop {
@@ -58,11 +61,11 @@ impl PolarSpectrum {
     fn sample<S: WaveSpectrum>(
         spectra: &[S],
         dispersion: Dispersion,
-        band: WaveBand,
+        band: Band,
         step: f64,
         directions: usize,
     ) -> Result<Self, ParameterError> {
-        let length = libm::log(band.highest / band.lowest);
+        let length = libm::log(band.to / band.from);
         // An even number of steps, so that every second ring reaches both ends.
         let steps = (((length / step).ceil() as usize).max(2)).next_multiple_of(2);
         let step = length / steps as f64;
@@ -70,7 +73,7 @@ impl PolarSpectrum {
             (0..directions).map(|j| DVec2::from_angle(TAU * j as f64 / directions as f64)).collect();
         let mut energy_m2 = vec![0.0; (steps + 1) * directions.len()];
         let rings = energy_m2.chunks_mut(directions.len()).enumerate().map(|(i, run)| {
-            let k = band.lowest * libm::exp(step * i as f64);
+            let k = band.from * libm::exp(step * i as f64);
             for (energy, direction) in run.iter_mut().zip(&directions) {
                 *energy = k * k * spectra.iter().map(|s| s.density_m4(k * direction)).sum::<f64>();
             }

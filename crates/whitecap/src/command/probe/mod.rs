@@ -87,7 +87,7 @@ pub(crate) struct Probe {
     seed: Option<u64>,
 
     /// Write the rows into this file, whole or not at all, and nothing to standard output. A name that ends in
-    /// .csv or .json says the format, unless an option does
+    /// .csv, .json or .txt (a table for people) says the format, unless an option does
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     output: Option<PathBuf>,
 
@@ -106,16 +106,20 @@ impl Probe {
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         let mut scene = super::open(&self.scene)?;
         scene.seed = self.seed.unwrap_or(scene.seed);
+        let format = self.format()?;
         let file = self.output.as_deref().map(WholeFile::plan).transpose()?;
         self.check_uv(&scene)?;
         let places = self.places()?;
         match (file, &self.output) {
             (Some(file), Some(path)) => {
                 let failure = |error| cannot_write(path, error);
-                file.stream(|out| self.answer(&scene, places, out, &failure).map_err(|stop| stop.failure))?;
+                file.stream(|out| {
+                    self.answer(&scene, places, (format, out), &failure).map_err(|stop| stop.failure)
+                })?;
             }
             _ => {
-                let answered = self.answer(&scene, places, &mut io::stdout().lock(), &stdout::failure);
+                let answered =
+                    self.answer(&scene, places, (format, &mut io::stdout().lock()), &stdout::failure);
                 if let Err(stop) = answered {
                     // The list has told a program already; a second document would spoil the first.
                     return if stop.told {
@@ -134,7 +138,7 @@ impl Probe {
         &self,
         scene: &Scene,
         mut places: Places<'_>,
-        out: &mut dyn Write,
+        (format, out): (Format, &mut dyn Write),
         failure: &dyn Fn(io::Error) -> Failure,
     ) -> Result<(), Stop> {
         let surface = scene.surface().map_err(Failure::from)?;
@@ -146,7 +150,7 @@ impl Probe {
                 scene.technique.word()
             );
         }
-        let mut rows = Rows::new(self.format(), out, failure);
+        let mut rows = Rows::new(format, out, failure);
         let written = (|| {
             rows.begin()?;
             for time_s in self.times().values() {
@@ -195,15 +199,30 @@ impl Probe {
         self.times.unwrap_or(Series { from: self.time, to: self.time, count: 1 })
     }
 
-    fn format(&self) -> Format {
-        let ending = self.output.as_deref().and_then(|path| path.extension());
-        let ends_in = |word: &str| ending.is_some_and(|ending| ending.eq_ignore_ascii_case(word));
-        match () {
-            () if self.csv => Format::Csv,
-            () if self.json => Format::Json,
-            () if ends_in("csv") && self.uv.is_empty() => Format::Csv,
-            () if ends_in("json") => Format::Json,
-            () => Format::Table,
+    /// What an option says, or else the ending of the file's name.
+    fn format(&self) -> Result<Format, Failure> {
+        let Some(path) = self.output.as_deref().filter(|_| !self.csv && !self.json) else {
+            return Ok(match (self.csv, self.json) {
+                (true, _) => Format::Csv,
+                (_, true) => Format::Json,
+                _ => Format::Table,
+            });
+        };
+        let ending = path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
+        match ending.as_deref() {
+            Some("csv") if self.uv.is_empty() => Ok(Format::Csv),
+            Some("json") => Ok(Format::Json),
+            Some("txt") => Ok(Format::Table),
+            _ => {
+                let (endings, options) = match self.uv.is_empty() {
+                    true => (".csv, .json or .txt", "--csv or --json"),
+                    false => (".json or .txt with --uv", "--json"),
+                };
+                Err(Failure::Input(anyhow!(
+                    "the name {} says no format; accepted: a file name that ends in {endings}, or any with {options}",
+                    path.display()
+                )))
+            }
         }
     }
 

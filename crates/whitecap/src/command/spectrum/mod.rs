@@ -20,7 +20,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use systems::Systems;
 use whitecap_scene::named;
-use whitecap_waves::statistics::{PolarSpectrum, WaveBand};
+use whitecap_waves::model::spectral::Band;
+use whitecap_waves::statistics::PolarSpectrum;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -82,7 +83,7 @@ impl Spectrum {
         let theory = if spectra.is_empty() {
             None
         } else {
-            let theory = PolarSpectrum::of(&spectra, water.dispersion, WaveBand::ALL);
+            let theory = PolarSpectrum::of(&spectra, water.dispersion, Band::WHOLE);
             Some(theory.map_err(|error| Failure::Input(anyhow!("{}: {error}", self.scene)))?)
         };
         let mut surface = scene.sea.build(scene.seed)?;

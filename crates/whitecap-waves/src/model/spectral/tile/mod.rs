@@ -255,8 +255,9 @@ impl SpectralTile {
 /// What would make a spectrum fit: a larger tile if more energy is longer than the tile than is shorter than two
 /// samples, closer samples otherwise.
 pub(super) fn remedy(profile: &Profile, tile_size_m: f64, n: usize) -> Remedy {
-    let too_long = profile.variance_m2(Band { from: 0.0, to: TAU / tile_size_m });
-    let too_short = profile.variance_m2(Band { from: PI * n as f64 / tile_size_m, to: f64::INFINITY });
+    let Band { from, to } = Band::of_tile(tile_size_m, n);
+    let too_long = profile.variance_m2(Band { from: 0.0, to: from });
+    let too_short = profile.variance_m2(Band { from: to, to: f64::INFINITY });
     if too_long >= too_short {
         Remedy::LargerTile { tile_size_m: (4.0 * TAU / profile.peak_wave_number()).ceil() }
     } else {
