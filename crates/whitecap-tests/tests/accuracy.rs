@@ -177,10 +177,7 @@ fn synthesis() -> String {
         ("Phillips, 10 m/s", vec![Box::new(phillips.unwrap())], deep),
         (
             "JONSWAP, 10 m/s, 100 km, and a swell, 1 m, 12 s",
-            vec![
-                spread(jonswap(10.0, 100.0), cos2, deep),
-                spread(swell, cos2s(20.0), deep),
-            ],
+            vec![spread(jonswap(10.0, 100.0), cos2, deep), spread(swell, cos2s(20.0), deep)],
             deep,
         ),
         (

@@ -153,7 +153,8 @@ fn bands_share_out_the_energy() {
     let (m0, slope) = band(1e-4, 1e4);
     near(m0, sea.total().energy_m2, 1e-9);
     near(slope, sea.slope().total(), 1e-9);
-    assert_eq!(sea.within(Band::WHOLE), (m0, slope));
+    near(sea.within(Band::WHOLE).0, m0, 1e-9);
+    near(sea.within(Band::WHOLE).1, slope, 1e-9);
     let (low, high) = (band(1e-4, 0.123), band(0.123, 1e4));
     near(low.0 + high.0, m0, 1e-9);
     near(low.1 + high.1, slope, 1e-9);

@@ -86,8 +86,8 @@ fn rust_and_wgsl_agree_about_layout() {
     assert_layout!(GpuTile, wgsl, "GpuTile", [resolution, log2_resolution, spacing_rad_per_m]);
 }
 
-/// Both backends, samples and coefficients, every size of first step, a million seconds before and after. Every field to 2e-5 of its
-/// r.m.s., which for heights is 5e-6 of the significant height.
+/// Both backends, samples and coefficients, every size of first step, a million seconds before and after. Every field to
+/// 2e-5 of its r.m.s., which for heights is 5e-6 of the significant height.
 #[test]
 fn both_backends_agree() {
     let Some(gpu) = gpu() else { return };

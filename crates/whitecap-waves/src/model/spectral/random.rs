@@ -130,7 +130,8 @@ mod tests {
     fn draws_are_complex_normal() {
         let all = points(3, 0, 60);
         let n = all.len() as f64;
-        let values: Vec<Complex<f64>> = all.iter().map(|point| point.draw.direction * point.draw.modulus()).collect();
+        let values: Vec<Complex<f64>> =
+            all.iter().map(|point| point.draw.direction * point.draw.modulus()).collect();
         let mean = values.iter().sum::<Complex<f64>>() / n;
         let second = values.iter().map(|z| z.norm_sqr()).sum::<f64>() / n;
         let pseudo = values.iter().map(|z| z * z).sum::<Complex<f64>>() / n;
