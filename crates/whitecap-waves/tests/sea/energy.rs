@@ -112,14 +112,14 @@ fn opposing_gaussian_waves_have_it_on_average() {
 
 /// Broad seas, crossing ones and ones against each other.
 fn broad_seas() -> Vec<(&'static str, Vec<Box<dyn WaveSpectrum>>)> {
-    let wind_sea = || Jonswap::from_wind_and_fetch(12.0, 2e4, 3.3).unwrap();
+    let wind_sea = || Jonswap::from_wind_and_fetch(12.0, 2e4, 3.3).expect("a fetch within its range");
     let spread = |spreading, degrees: f64| -> Box<dyn WaveSpectrum> {
         let parameters = DirectionalParameters {
             spread: Spread { spreading, swell: 0.0 },
             toward: DVec2::from_angle(degrees.to_radians()),
             dispersion: Dispersion::DEEP,
         };
-        Box::new(Directional::new(wind_sea(), parameters).unwrap())
+        Box::new(Directional::new(wind_sea(), parameters).expect("spreads within their ranges"))
     };
     let exponent = |exponent| Spreading::Cos2s { exponent };
     let still = PhillipsParameters { opposing_energy: 1.0, ..WIND };
@@ -131,7 +131,7 @@ fn broad_seas() -> Vec<(&'static str, Vec<Box<dyn WaveSpectrum>>)> {
         ("s = 4", vec![spread(exponent(4.0), 20.0)]),
         ("against each other", vec![spread(exponent(10.0), 20.0), spread(exponent(10.0), 200.0)]),
         ("crossing", vec![spread(exponent(6.0), 20.0), spread(exponent(10.0), 130.0)]),
-        ("still", vec![Box::new(Phillips::new(still).unwrap())]),
+        ("still", vec![Box::new(Phillips::new(still).expect("a spectrum within its ranges"))]),
     ]
 }
 
