@@ -298,13 +298,13 @@ fn tiles_that_do_not_hold_the_sea() {
     let refused = |tiles: &str| with(tiles).unwrap_err().to_string();
     assert_eq!(
         refused(&(tile(7.0, 64) + &tile(20.0, 64))),
-        "storm.toml:12: sea.cascade[1].tile_size_m = 20.0: the 2 tiles carry only 0 % of the energy of wave system 0: \
-         its waves are too long; a tile of 506 m is large enough"
+        "storm.toml:12: sea.cascade[1].tile_size_m = 20.0: the 2 tiles carry only 6 % of the energy of wave system 0: \
+         its waves are too long; a tile of 510 m is large enough"
     );
     assert_eq!(
         refused(&tile(20.0, 64)),
         "storm.toml:9: sea.cascade[0].tile_size_m = 20.0: a tile of 20 m with 64 samples a side carries only 0 % of \
-         the energy of wave system 0: its waves are too long; a tile of 506 m is large enough"
+         the energy of wave system 0: its waves are too long; a tile of 510 m is large enough"
     );
     let message = refused(&(tile(9000.0, 16) + &tile(5000.0, 16)));
     assert!(

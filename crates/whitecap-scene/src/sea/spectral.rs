@@ -94,7 +94,8 @@ impl SpectralSettings {
                 "beside [[sea.cascade]]; accepted: one of the two, tiles one by one or a plan for them",
             ));
         }
-        if table.has("current_toward_deg") && !table.has("current_mps") {
+        // Where it says what would be so without it, it does no harm.
+        if settings.current_toward_deg != 0.0 && !table.has("current_mps") {
             return Err(table.error(
                 Some("current_toward_deg"),
                 "without current_mps; accepted: both or none of them, as a current has a speed",
