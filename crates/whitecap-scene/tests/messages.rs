@@ -313,6 +313,8 @@ fn tiles_that_do_not_hold_the_sea() {
     );
     // And where only a part is lost.
     let warned = |tiles: &str| with(tiles).unwrap().warnings.join("\n");
+    let message = warned(&(tile(30.0, 64) + &tile(80.0, 64)));
+    assert!(message.contains("too long for a tile of 80 m; sea.cascade[1].tile_size_m = "), "{message}");
     let message = warned(&(tile(800.0, 64) + &tile(600.0, 32)));
     assert!(message.contains("a greater sea.cascade[1].resolution or one more [[sea.cascade]]"), "{message}");
 }

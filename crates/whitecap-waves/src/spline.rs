@@ -17,7 +17,7 @@ use rustfft::num_complex::Complex;
 use std::f64::consts::PI;
 
 /// c for a wave that turns by `turns` from one sample to the next, |`turns`| ≤ ½.
-pub(crate) fn coefficient(turns: f64) -> f64 {
+fn coefficient(turns: f64) -> f64 {
     (1.0 - error_variance(turns)) / beta(turns, 0)
 }
 

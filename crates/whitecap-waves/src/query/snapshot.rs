@@ -1,9 +1,8 @@
 //! A spectral sea at one moment, ready for any number of questions.
 //!
 //! For each tile the waves are transformed onto a grid on which the shortest of them has four samples or more, as
-//! coefficients of a spline (`spline`). The error of such a grid follows from the spectrum, and grids
-//! are made finer until it is small enough. A question then costs a few dozen products for each tile, however many
-//! waves there are.
+//! coefficients of a spline. The error of such a grid follows from the spectrum, and grids are made finer until it is
+//! small enough. A question then costs a few dozen products for each tile, however many waves there are.
 
 use super::{QueryError, check};
 use crate::model::spectral::evolve::{Column, evolve_column, evolve_velocity_column};

@@ -86,9 +86,7 @@ impl Companions {
             principal_toward_rad: toward_rad(principal_deg?),
         })
     }
-}
 
-impl Companions {
     /// The first of the files without a value of this time, or where all have some, but none of the same frequency,
     /// all of them.
     fn lacking(&self, time: Time) -> Arc<str> {

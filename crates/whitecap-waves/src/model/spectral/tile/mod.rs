@@ -70,6 +70,7 @@ pub struct SpectralTile {
     /// One run of evolved amplitudes for each p ≥ 0; see [`Column`].
     evolved: Vec<f32>,
     transform: InverseReal2d,
+    /// See [`spline_factors`](Self::spline_factors).
     spline_factors: Vec<f32>,
 }
 
