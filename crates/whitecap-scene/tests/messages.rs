@@ -143,7 +143,7 @@ fn unknown_keys() {
     assert_eq!(
         message("[meshuggah]", "[meshuga]"),
         "storm.toml:14: meshuga: unknown key; did you mean \"meshuggah\"? \
-         accepted here: camera, five-sample, meshuggah, object, ocean-water, projected-grid, \
+         accepted here: camera, five-sample, meshuggah, object, ocean-water, picture, projected-grid, \
          rippling-lake, sea, seed, sky, spectral-ocean, technique"
     );
     assert_eq!(
