@@ -12,7 +12,7 @@ use whitecap_scene::sea::system::{PhillipsSystem, System};
 use whitecap_scene::sea::{Amplitudes, SeaModel, SpectralSettings, Tiling};
 use whitecap_scene::sky::{Atmosphere, PanoramaSky};
 use whitecap_scene::technique::{FresnelForm, Meshuggah};
-use whitecap_scene::{Picture, Camera, Scene, Sea, Sky, Technique, named};
+use whitecap_scene::{Camera, Picture, Scene, Sea, Sky, Technique, named};
 
 #[test]
 fn a_scene_says_what_its_file_says() {
