@@ -72,11 +72,11 @@ impl PolarSpectrum {
         total
     }
 
-    /// The part of m0 in m² that lies within `band`, and of the mean square slope.
-    pub fn within(&self, band: Band) -> (f64, f64) {
+    /// The part of m0 in m² that lies within `band`, and of the slope's variance.
+    pub fn within(&self, band: Band) -> (f64, SlopeVariance) {
         // Minus infinity for waves of any length: the shares below take it as the first ring.
         let (low, high) = (libm::log(band.from), libm::log(band.to));
-        let (mut variance_m2, mut slope) = (0.0, 0.0);
+        let (mut variance_m2, mut slope) = (0.0, SlopeVariance::default());
         for pair in self.rings.windows(2) {
             let [a, b] = pair else { continue };
             let (start, end) = (libm::log(a.k), libm::log(b.k));
@@ -87,8 +87,13 @@ impl PolarSpectrum {
             // Both are straight lines between two rings.
             let middle = 0.5 * (from + to);
             let width = self.step * (to - from).max(0.0);
-            variance_m2 += width * (a.sum.energy_m2 * (1.0 - middle) + b.sum.energy_m2 * middle);
-            slope += width * (a.slope.total() * (1.0 - middle) + b.slope.total() * middle);
+            let mean = |a: f64, b: f64| width * (a * (1.0 - middle) + b * middle);
+            variance_m2 += mean(a.sum.energy_m2, b.sum.energy_m2);
+            slope += SlopeVariance {
+                xx: mean(a.slope.xx, b.slope.xx),
+                xz: mean(a.slope.xz, b.slope.xz),
+                zz: mean(a.slope.zz, b.slope.zz),
+            };
         }
         (variance_m2, slope)
     }
