@@ -38,6 +38,7 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::technique::spectral_ocean::vertices", "spectral_ocean_vertices", &[]),
     ("package::shader_lib::twins", "twins", &[]),
     ("package::shader_lib::sines_twins", "sines_twins", &[]),
+    ("package::shader_lib::foam_twins", "foam_twins", &[]),
 ];
 
 fn main() {

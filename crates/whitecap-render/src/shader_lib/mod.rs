@@ -95,6 +95,8 @@ shaders! {
     TWINS = "twins";
     /// The sum of sines on a buffer of inputs.
     SINES_TWINS = "sines_twins";
+    /// Foam as it is drawn, on a buffer of places.
+    FOAM_TWINS = "foam_twins";
 }
 
 impl Shader {
