@@ -96,7 +96,7 @@ fn cover_is_that_of_monahan() {
                 covers.push(drawn_cover(&foam, 200_000));
             }
             println!(
-                "{wind} m/s, seed {seed}: threshold {:.2}, gain {:.3}, {} tiles",
+                "{wind} m/s, seed {seed}: threshold {:.2}, gain {:.3?}, {} tiles",
                 foam.threshold(),
                 foam.variance_gain(),
                 foam.tiles().len()
@@ -291,20 +291,18 @@ fn averaged_away_the_sea_is_as_white() {
             let texels: Vec<Vec<[f32; 2]>> = levels.iter().map(|level| level.texels().collect()).collect();
             let (mut sum, count) = (0.0, 65_536);
             for i in 0..count {
-                let (mut m, mut variance) = (-foam.threshold(), 0.0);
+                let (mut m, mut variance) = (0.0, 0.0);
                 for (j, texels) in texels.iter().enumerate() {
                     let [mean, within] = texels[i * [1, 40_503, 20_011, 7_919][j] % texels.len()];
                     m += f64::from(mean);
-                    variance += f64::from(within) * foam.variance_gain();
+                    variance += f64::from(within);
                 }
-                sum += foam_cover(m, variance);
+                sum += foam.cover_of(m, variance);
             }
             let cover = sum / count as f64;
             let size = levels[0].size();
             println!("{wind} m/s, {size}²: {:.4} % of {:.4} %", 100.0 * cover, 100.0 * foam.cover());
-            // Where little is white, more than the tails of normal fields is.
-            let most = if wind < 10.0 { 0.8 } else { 0.2 };
-            assert!((cover / foam.cover() - 1.0).abs() < most, "{size}: {cover}");
+            assert!((cover / foam.cover() - 1.0).abs() < 0.6, "{size}: {cover}");
             if size == 1 {
                 break;
             }

@@ -33,10 +33,10 @@ pub struct GpuFoam {
     tiles: [GpuFoamTile; Foam::MOST_TILES],
     eye_in_structure: [f32; 4],
     structures_per_m: [f32; 2],
+    variance_gain: [f32; 2],
     threshold: f32,
-    variance_gain: f32,
     tile_count: u32,
-    padding: [u32; 3],
+    padding: [u32; 2],
 }
 
 /// The foam of a sea and the textures that hold it at one moment.
@@ -139,10 +139,10 @@ impl FoamMaps {
             tiles,
             eye_in_structure: [x, z, small_x, small_z],
             structures_per_m: [(1.0 / large_m) as f32, (1.0 / small_m) as f32],
+            variance_gain: foam.variance_gain().map(|gain| gain as f32),
             threshold: foam.threshold() as f32,
-            variance_gain: foam.variance_gain() as f32,
             tile_count: foam.tiles().len() as u32,
-            padding: [0; 3],
+            padding: [0; 2],
         }
     }
 }

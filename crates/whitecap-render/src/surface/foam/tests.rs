@@ -11,13 +11,24 @@ use whitecap_waves::model::spectral::foam::{DECAY_S, FoamParameters};
 use whitecap_waves::optics::foam_cover;
 
 const WIND_MPS: f64 = 12.0;
+const SCENE: &str = r#"
+technique = "spectral-ocean"
+seed = 11
+[sea]
+model = "spectral"
+[[sea.system]]
+spectrum = "jonswap"
+wind_speed_mps = 12.0
+fetch_km = 300.0
+from_deg = 250.0
+spreading = "hasselmann"
+[camera]
+position_m = [0.0, 5.0, 0.0]
+look_at_m = [100.0, 0.0, 0.0]
+"#;
 
 fn foam() -> Foam {
-    let scene = format!(
-        "technique = \"spectral-ocean\"\nseed = 11\n[sea]\nmodel = \"spectral\"\n[[sea.system]]\nspectrum = \"jonswap\"\n\
-         wind_speed_mps = {WIND_MPS:?}\nfetch_km = 300.0\nfrom_deg = 250.0\nspreading = \"hasselmann\"\n"
-    );
-    let scene = Scene::from_toml(&scene, "foam").unwrap();
+    let scene = Scene::from_toml(SCENE, "foam").unwrap();
     let SeaSurface::Spectral(sea) = scene.sea.build(scene.seed).unwrap() else { unreachable!() };
     Foam::new(&sea, FoamParameters { wind_speed_mps: Some(WIND_MPS), decay_s: DECAY_S }).unwrap().unwrap()
 }
@@ -71,7 +82,7 @@ fn layouts_agree() {
         GpuFoam,
         wgsl,
         "GpuFoam",
-        [tiles, eye_in_structure, structures_per_m, threshold, variance_gain, tile_count]
+        [tiles, eye_in_structure, structures_per_m, variance_gain, threshold, tile_count]
     );
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Symbols as in the [module above](super).
 
-use super::Foam;
+use super::{Foam, FoamLevel};
 use crate::error::ParameterError;
 use crate::optics::foam_cover;
 
@@ -58,6 +58,7 @@ pub(super) fn calibrate(foam: &mut Foam) -> Result<(), ParameterError> {
     let clock = foam.clock;
     let mut sum: Option<Histogram> = None;
     let mut variance = 0.0;
+    let mut texels: Vec<Vec<[f32; 2]>> = Vec::new();
     for tile in &mut foam.tiles {
         let mut convergence = tile.convergence.on_grid(coarse)?;
         let mut memory = tile.memory.on_grid(coarse);
@@ -69,6 +70,11 @@ pub(super) fn calibrate(foam: &mut Foam) -> Result<(), ParameterError> {
         }
         let moments = crate::statistics::Moments::of(&values);
         tile.mean = moments.mean;
+        let averaged = values.chunks_exact(coarse * coarse).flat_map(|field| {
+            let centred: Vec<f32> = field.iter().map(|m| m - moments.mean as f32).collect();
+            FoamLevel::of(&centred, coarse).halved().halved().texels().collect::<Vec<_>>()
+        });
+        texels.push(averaged.collect());
         variance += moments.variance;
         let drawn: Vec<f32> =
             values.chunks_exact(coarse * coarse).flat_map(|field| interpolated(field, coarse)).collect();
@@ -88,9 +94,36 @@ pub(super) fn calibrate(foam: &mut Foam) -> Result<(), ParameterError> {
     let reach = 50.0 + 2.0 * (sum.shares.len() as f64) / FINENESS;
     foam.threshold = bisect(-reach, reach, |threshold| cover(threshold) > foam.cover);
     // Cover rises with the variance of what is averaged away.
-    let all_averaged = |gain: f64| foam_cover(-foam.threshold, gain * variance);
-    foam.variance_gain = bisect(0.0, 16.0, |gain| all_averaged(gain) < foam.cover);
+    let all = bisect(0.0, 16.0, |gain| foam_cover(-foam.threshold, gain * variance) < foam.cover);
+    let (some, within) = some_averaged(foam, &texels);
+    let slope = (all - some) / (variance - within).max(1e-9);
+    foam.variance_gain = [some - slope * within, slope];
     Ok(())
+}
+
+/// The gain that keeps the cover where each tile's texels are four coarse samples wide, and the variance within them:
+/// `texels` has means and variances of each tile. Tiles are independent, so any texel meets any other.
+fn some_averaged(foam: &Foam, texels: &[Vec<[f32; 2]>]) -> (f64, f64) {
+    const STRIDES: [usize; Foam::MOST_TILES] = [1, 4_099, 2_053, 7_919];
+    let count = texels.iter().map(Vec::len).max().unwrap_or(0);
+    let met: Vec<(f64, f64)> = (0..count)
+        .map(|i| {
+            let each = texels.iter().zip(STRIDES).map(|(texels, stride)| texels[i * stride % texels.len()]);
+            each.fold((-foam.threshold, 0.0), |(m, variance), [mean, within]| {
+                (m + f64::from(mean), variance + f64::from(within))
+            })
+        })
+        .collect();
+    let cover = |gain: f64| {
+        met.iter().map(|&(m, variance)| foam_cover(m, gain * variance)).sum::<f64>() / count as f64
+    };
+    let within = met.iter().map(|there| there.1).sum::<f64>() / count as f64;
+    let mut gain = [0.0, 2.0];
+    for _ in 0..10 {
+        let middle = 0.5 * (gain[0] + gain[1]);
+        gain[usize::from(cover(middle) >= foam.cover)] = middle;
+    }
+    (0.5 * (gain[0] + gain[1]), within)
 }
 
 /// From samples of a field on half of the grid, `n` a side, what linear interpolation makes of the field there on the

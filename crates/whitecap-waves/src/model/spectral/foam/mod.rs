@@ -48,6 +48,7 @@
 
 use super::SpectralSea;
 use crate::error::{ParameterError, check};
+use crate::optics::foam_cover;
 use crate::statistics::{Moments, whitecap_cover};
 
 mod calibration;
@@ -100,7 +101,7 @@ pub struct Foam {
     wind_speed_mps: f64,
     cover: f64,
     threshold: f64,
-    variance_gain: f64,
+    variance_gain: [f64; 2],
 }
 
 /// What one tile of the sea adds to its foam.
@@ -177,8 +178,15 @@ impl Foam {
         }
 
         let clock = Clock::new(decay_s, sea.parameters().water.loop_s);
-        let mut foam =
-            Self { clock, resolution, tiles, wind_speed_mps, cover, threshold: 0.0, variance_gain: 1.0 };
+        let mut foam = Self {
+            clock,
+            resolution,
+            tiles,
+            wind_speed_mps,
+            cover,
+            threshold: 0.0,
+            variance_gain: [1.0, 0.0],
+        };
         calibration::calibrate(&mut foam)?;
         Ok(Some(foam))
     }
@@ -194,16 +202,22 @@ impl Foam {
     }
 
     /// c less the means of all mᵢ: at a place with the tiles' [fields](FoamTile::field) fᵢ there is
-    /// [`foam_cover`](crate::optics::foam_cover)(Σfᵢ − threshold, 0) of foam.
+    /// [`foam_cover`] (Σfᵢ − threshold, 0) of foam.
     pub fn threshold(&self) -> f64 {
         self.threshold
     }
 
-    /// By what the variance within a texel is multiplied before [`foam_cover`](crate::optics::foam_cover) sees it: it
-    /// takes fields for Gaussian, and mᵢ, which are maxima, have longer tails. With it the foam of a sea whose every
-    /// wave is averaged away is W.
-    pub fn variance_gain(&self) -> f64 {
+    /// (a, b): the variance σ² of what a pixel does not show of the fields counts as (a + b σ²) σ². A cover of normal
+    /// fields is too large for some of it, since breakers are whole or not at all within a pixel, and too small for
+    /// all of it, since mᵢ, which are maxima, have longer tails. With this it is W for both.
+    pub fn variance_gain(&self) -> [f64; 2] {
         self.variance_gain
+    }
+
+    /// The cover of a pixel over which the fields' sum has this mean and variance.
+    pub fn cover_of(&self, mean: f64, variance: f64) -> f64 {
+        let [constant, slope] = self.variance_gain;
+        foam_cover(mean - self.threshold, (constant + slope * variance).max(0.0) * variance)
     }
 
     /// Samples along a side of every field.
