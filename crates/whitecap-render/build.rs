@@ -39,6 +39,7 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::shader_lib::twins", "twins", &[]),
     ("package::shader_lib::tone_map_twins", "tone_map_twins", &[]),
     ("package::shader_lib::sines_twins", "sines_twins", &[]),
+    ("package::shader_lib::foam_twins", "foam_twins", &[]),
 ];
 
 fn main() {

@@ -1,20 +1,20 @@
 //! Every shader function that has a Rust twin, run on the GPU over the same inputs.
 #![allow(clippy::unwrap_used)] // a test that cannot go on should stop
 
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 use whitecap_render::environment::{display_from_linear, exposed, linear_from_display};
 use whitecap_render::gpu::for_tests::compute;
 use whitecap_render::shader_lib;
 use whitecap_render::technique::meshuggah::normals::{bump_frame, world_from_bump};
 use whitecap_tests::adapter::gpu;
 use whitecap_waves::optics::{
-    WATER_REFRACTIVE_INDEX, WaterBody, curvature_drop_m, exposure_split, fresnel_exact,
-    fresnel_jensen_golias, tone_map_aces, tone_map_agx, tone_map_pbr_neutral, visible_cosine,
-    water_color_single_scatter,
+    WATER_REFRACTIVE_INDEX, WaterBody, curvature_drop_m, exposure_split, foam_cover, foam_drawn,
+    foam_radiance, foam_rank, fresnel_exact, fresnel_jensen_golias, tone_map_aces, tone_map_agx,
+    tone_map_pbr_neutral, visible_cosine, water_color_single_scatter,
 };
 
-/// Runs `twins.wesl` on inputs of two vectors and gives back four for each.
-fn run(inputs: &[[[f32; 4]; 2]]) -> Option<Vec<[[f32; 4]; 4]>> {
+/// Runs `twins.wesl` on inputs of two vectors and gives back five for each.
+fn run(inputs: &[[[f32; 4]; 2]]) -> Option<Vec<[[f32; 4]; 5]>> {
     let gpu = gpu()?;
     Some(compute(gpu, &shader_lib::TWINS, "cs_run", inputs))
 }
@@ -34,7 +34,7 @@ fn the_gpus_functions_equal_the_cpus() {
         })
         .collect();
     let Some(outputs) = run(&inputs) else { return };
-    for ([a, b], [light, surface, normal, water]) in inputs.iter().zip(&outputs) {
+    for ([a, b], [light, surface, normal, water, foam]) in inputs.iter().zip(&outputs) {
         let [x, variance, distance, radius] = a.map(f64::from);
         assert_near(light[0], fresnel_jensen_golias(x), "fresnel_jensen_golias");
         let (integer, fraction) = exposure_split(x);
@@ -59,6 +59,17 @@ fn the_gpus_functions_equal_the_cpus() {
             );
         }
         assert_near(water[2], single_scatter_deep(f64::from(b[0]).abs(), x), "single_scatter_deep");
+        let share = f64::from(b[0].abs()) / 1.5;
+        assert_near(foam[0], foam_cover(x - 3.0, 50.0 * variance), "foam_cover");
+        assert_near(foam[1], foam_rank(share, variance), "foam_rank");
+        assert_near(foam[2], foam_drawn(share, variance, f64::from(b[1].abs())), "foam_drawn");
+        let lit = foam_radiance(
+            DVec3::Y,
+            DVec3::new(0.0, b[0].into(), 0.0),
+            DVec3::splat(2.0),
+            DVec3::splat(variance),
+        );
+        assert_near(foam[3], lit.x, "foam_radiance");
         let bump = Vec3::new(a[0], a[1], a[2]);
         let expected = world_from_bump(bump_frame(Vec2::new(b[0], b[1])), bump);
         let seen = Vec3::new(normal[0], normal[1], normal[2]);

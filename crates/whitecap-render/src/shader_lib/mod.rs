@@ -97,6 +97,8 @@ shaders! {
     TONE_MAP_TWINS = "tone_map_twins";
     /// The sum of sines on a buffer of inputs.
     SINES_TWINS = "sines_twins";
+    /// Foam as it is drawn, on a buffer of places.
+    FOAM_TWINS = "foam_twins";
 }
 
 impl Shader {

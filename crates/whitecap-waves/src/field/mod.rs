@@ -1,13 +1,15 @@
 //! Still fields, made from a seed: the height maps, normal maps and mips that the classic techniques take as
-//! artwork.
+//! artwork, and the structure of foam.
 //!
 //! A [`HeightField`] is square and repeats: its last row is followed by its first. u runs along a row and v
 //! from row to row.
 
+mod foam;
 mod gradient_noise;
 mod normals;
 mod ripples;
 
+pub use foam::FoamStructure;
 pub use normals::{encode_unorm8, mip_chain, normal_map};
 pub use ripples::WindRippleParameters;
 

@@ -161,6 +161,25 @@ impl<'a> Column<'a> {
         self.g.write_times_i(out, |q| kz[q]);
     }
 
+    /// −(∂Dx/∂x + ∂Dz/∂z), by how much the water is drawn together, times `share` of |k|² in (rad/m)²: for the grid
+    /// of `out`, which may be coarser or finer than the tile's.
+    pub(crate) fn convergence(&self, out: &mut [Complex<f32>], share: impl Fn(f32) -> f32) {
+        let (n, kx2) = (self.kz.len(), self.kx * self.kx);
+        let half = n.min(out.len()) / 2;
+        let Parts { re, im } = self.g;
+        let (positive, rest) = out.split_at_mut(half);
+        let (empty, negative) = rest.split_at_mut(rest.len() + 1 - half);
+        empty.fill(Complex::default());
+        for (out, from) in [(positive, 0), (negative, n + 1 - half)] {
+            let (kz, re, im) = (&self.kz[from..], &re[from..], &im[from..]);
+            for (((out, kz), re), im) in out.iter_mut().zip(kz).zip(re).zip(im) {
+                let k2 = kx2 + kz * kz;
+                let factor = k2 * share(k2);
+                *out = Complex::new(factor * re, factor * im);
+            }
+        }
+    }
+
     pub(crate) fn gradient_xx(&self, out: &mut [Complex<f32>]) {
         self.g.write(out, |_| -self.kx * self.kx);
     }

@@ -90,6 +90,32 @@ impl Waves {
         Self { n, tile_size_m, amplitudes, turns_per_s, drift_turns_per_s, orbit, lean, kz, reach }
     }
 
+    /// The same waves on the smallest lattice that holds them.
+    pub(super) fn trimmed(&self) -> Self {
+        let n = (2 * (self.reach + 1)).next_power_of_two().clamp(16, self.n);
+        let half = n / 2;
+        let signed = |run: &[f32]| {
+            let mut run = [&run[..half], &run[self.n - half..]].concat();
+            // The place of −N/2, which is empty.
+            run[half] = 0.0;
+            run
+        };
+        let columns = 0..half;
+        let drift =
+            |p: usize| self.drift_turns_per_s(p).map(|run| [&run[..half], &run[self.n - half..]].concat());
+        Self {
+            n,
+            tile_size_m: self.tile_size_m,
+            amplitudes: columns.clone().flat_map(|p| self.amplitudes(p).map(signed)).flatten().collect(),
+            turns_per_s: columns.clone().flat_map(|p| &self.turns_per_s(p)[..half]).copied().collect(),
+            drift_turns_per_s: columns.clone().filter_map(drift).flatten().collect(),
+            orbit: columns.clone().flat_map(|p| &self.orbit(p)[..half]).copied().collect(),
+            lean: columns.flat_map(|p| &self.lean(p)[..half]).copied().collect(),
+            kz: signed(&self.kz),
+            reach: self.reach,
+        }
+    }
+
     /// 2π p/L in rad/m.
     pub(crate) fn kx(&self, p: usize) -> f32 {
         (TAU * p as f64 / self.tile_size_m) as f32

@@ -48,6 +48,7 @@ mod band;
 mod cascade;
 mod energy;
 pub(crate) mod evolve;
+pub mod foam;
 pub(crate) mod lattice;
 mod random;
 pub(crate) mod sample;
