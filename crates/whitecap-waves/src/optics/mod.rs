@@ -8,6 +8,7 @@ mod color;
 mod exposure;
 mod fresnel;
 mod geometry;
+pub mod surface;
 
 pub use color::{WATER_REFRACTIVE_INDEX, WaterBody, water_color_lerp, water_color_single_scatter};
 pub use exposure::{MAX_EXPOSURE, exposure_split};
