@@ -9,6 +9,7 @@ mod exposure;
 mod foam;
 mod fresnel;
 mod geometry;
+pub mod surface;
 mod tone_map;
 
 pub use color::{WATER_REFRACTIVE_INDEX, WaterBody, water_color_lerp, water_color_single_scatter};
