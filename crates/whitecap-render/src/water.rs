@@ -103,6 +103,7 @@ impl Water {
                 backend: options.backend,
                 irradiance: environment.irradiance,
                 daylight: environment.daylight,
+                light: environment.light.as_ref(),
                 toward_sun: environment.sun.map_or(Vec3::Y, |sun| sun.toward),
             })?;
             Ok(Water { shared, objects, object_pass, sky, technique })

@@ -11,6 +11,7 @@ pub mod projected_grid;
 pub mod rippling_lake;
 pub mod spectral_ocean;
 
+use crate::environment::Light;
 use crate::pass::Objects;
 use crate::surface::Backend;
 use crate::timing::PassTimer;
@@ -89,6 +90,8 @@ pub struct Build<'a> {
     pub irradiance: glam::Vec3,
     /// Display brightness of the sky against a day's, see [`crate::environment::Environment::daylight`].
     pub daylight: f32,
+    /// Light in the scene's own measure, for techniques that draw in it.
+    pub light: Option<&'a Light>,
     /// Unit vector towards the sun; straight up under a sky without a known sun.
     pub toward_sun: glam::Vec3,
 }
@@ -104,7 +107,18 @@ impl<'a> Build<'a> {
         objects: &'a Objects,
     ) -> Self {
         let (irradiance, toward_sun) = (glam::Vec3::ONE, glam::Vec3::Y);
-        Self { device, queue, scene, shared, objects, backend: None, irradiance, daylight: 1.0, toward_sun }
+        Self {
+            device,
+            queue,
+            scene,
+            shared,
+            objects,
+            backend: None,
+            irradiance,
+            daylight: 1.0,
+            light: None,
+            toward_sun,
+        }
     }
 }
 

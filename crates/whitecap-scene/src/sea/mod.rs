@@ -117,6 +117,12 @@ impl Sea {
         }
     }
 
+    /// The strongest wind that any of its systems speaks of.
+    pub fn wind_speed_mps(&self) -> Option<f64> {
+        let SeaModel::Spectral(settings) = &self.model else { return None };
+        settings.system.iter().filter_map(|system| system.requested().wind_speed_mps).reduce(f64::max)
+    }
+
     /// Builds the sea, and says where it bends what was asked for, such as energy that its tiles cannot carry: one
     /// sentence each, with the figure and what to change.
     ///

@@ -4,7 +4,7 @@ use super::super::Build;
 use crate::geometry::NestedGrid;
 use crate::gpu::resources::{PipelineRequest, bind_group, buffer, linear_sampler};
 use crate::shader_lib;
-use crate::surface::TileMaps;
+use crate::surface::{FoamMaps, GpuFoam, TileMaps};
 use crate::uniforms::{ViewSlots, sampler_entry, texture_entry};
 use std::ops::Range;
 
@@ -24,6 +24,8 @@ pub(super) struct GpuCascade {
     pub(super) fade_end_m: f32,
     pub(super) half_texel: f32,
     pub(super) padding: u32,
+    pub(super) slope_shape: [f32; 3],
+    pub(super) end: u32,
 }
 
 /// Layout twin of `GpuSpectralOcean` in `surface.wesl`.
@@ -35,11 +37,14 @@ pub(super) struct GpuSpectralOcean {
     pub(super) scattered_light: [f32; 3],
     pub(super) sun_cos: f32,
     pub(super) cell_m: f32,
-    pub(super) eye_height_m: f32,
-    pub(super) earth_radius_m: f32,
-    pub(super) visibility_m: f32,
-    pub(super) cascade_count: u32,
     pub(super) padding: [u32; 3],
+    pub(super) slopes_beyond: [f32; 3],
+    pub(super) eye_height_m: f32,
+    pub(super) sun_klx: [f32; 3],
+    pub(super) earth_radius_m: f32,
+    pub(super) sky_klx: [f32; 3],
+    pub(super) cascade_count: u32,
+    pub(super) foam: GpuFoam,
 }
 
 pub(super) struct Pipeline {
@@ -54,6 +59,7 @@ impl Pipeline {
         build: &Build<'_>,
         grid: &NestedGrid,
         tiles: &[TileMaps],
+        foam: &FoamMaps,
         slots: &ViewSlots<GpuSpectralOcean>,
     ) -> Pipeline {
         let (device, queue) = (build.device, build.queue);
@@ -61,7 +67,7 @@ impl Pipeline {
         let contents = |label, bytes, usage| buffer(device, queue, label, bytes, usage);
         Pipeline {
             pipeline: pipeline(build, &layout),
-            group: ocean_group(device, &layout, tiles, slots),
+            group: ocean_group(device, &layout, tiles, foam, slots),
             vertices: contents(
                 "nested grid",
                 bytemuck::cast_slice(&grid.vertices),
@@ -101,6 +107,8 @@ pub(super) fn group_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
             normals(7),
             normals(8),
             sampler_entry(9, S::FRAGMENT),
+            texture_entry(10, S::FRAGMENT, wgpu::TextureViewDimension::D2Array, true),
+            texture_entry(11, S::FRAGMENT, d2, true),
         ],
     })
 }
@@ -109,6 +117,7 @@ pub(super) fn ocean_group(
     device: &wgpu::Device,
     layout: &wgpu::BindGroupLayout,
     tiles: &[TileMaps],
+    foam: &FoamMaps,
     slots: &ViewSlots<GpuSpectralOcean>,
 ) -> wgpu::BindGroup {
     // A place that no tile fills holds the last one's map, which is not read there.
@@ -121,7 +130,9 @@ pub(super) fn ocean_group(
     let repeating = linear_sampler(device, "spectral ocean", wgpu::AddressMode::Repeat);
     use wgpu::BindingResource::{Sampler, TextureView};
     let textures = displacements.iter().chain(&normals).map(TextureView);
-    let resources = std::iter::once(slots.binding()).chain(textures).chain([Sampler(&repeating)]);
+    let (memory, structure) = (foam.maps(), foam.structure());
+    let foam = [Sampler(&repeating), TextureView(&memory), TextureView(&structure)];
+    let resources = std::iter::once(slots.binding()).chain(textures).chain(foam);
     bind_group(device, "spectral ocean", layout, resources)
 }
 

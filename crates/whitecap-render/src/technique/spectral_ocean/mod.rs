@@ -2,24 +2,29 @@
 //!
 //! Each tile of a [`SpectralSea`](whitecap_waves::model::spectral::SpectralSea) is a set of [`TileMaps`]. Vertices of
 //! nested rings ([`NestedGrid`]) move by the sum of the tiles' displacements; pixels see the sum of their slopes, and
-//! what neither resolves widens the reflection and raises the cosine that the Fresnel term sees. Under the surface
-//! light scatters once.
+//! what neither resolves is roughness, by direction ([`Roughness`]). Breaking waves leave foam ([`FoamMaps`]). Under the
+//! surface light scatters once. All of it is linear light of the scene; the tone map comes last.
 //!
 //! docs/spectral-ocean.md tells the passes and the limits.
 
 mod gpu;
+mod roughness;
 mod visible;
 
 use super::{Build, Frame, Technique, wrong_sea};
 use crate::RenderError;
 use crate::geometry::NestedGrid;
-use crate::surface::{TileMaps, Vertices};
+use crate::surface::{FoamMaps, TileMaps, Vertices};
 use crate::uniforms::ViewSlots;
 use crate::view::View;
 use glam::{DVec2, Vec3};
+use roughness::Roughness;
 use gpu::{GpuCascade, GpuSpectralOcean, MAX_CASCADES, MAX_LEVELS, Pipeline};
 use visible::Wedge;
+use whitecap_scene::sea::SeaSurface;
 use whitecap_scene::technique as settings;
+use whitecap_waves::model::WaveModel;
+use whitecap_waves::model::spectral::foam::{DECAY_S, Foam, FoamParameters};
 use whitecap_waves::optics::WATER_REFRACTIVE_INDEX;
 
 /// The apron reaches this far, metres: beyond the horizon of a viewer at 100 km.
@@ -46,8 +51,13 @@ pub(super) struct SpectralOcean {
     levels: u32,
     /// What the water is moved sideways by at most, nearly always, metres.
     sway_m: f64,
+    roughness: Roughness,
+    foam: FoamMaps,
     scattered_light: Vec3,
     sun_cos: f32,
+    /// Illuminance of the sun, facing it, and of the sky on the level, klx.
+    sun_klx: Vec3,
+    sky_klx: Vec3,
     slots: ViewSlots<GpuSpectralOcean>,
     pipeline: Pipeline,
     /// The parts of the mesh that each view sees.
@@ -59,26 +69,40 @@ impl SpectralOcean {
         build: &Build<'_>,
         settings: &settings::SpectralOcean,
     ) -> Result<SpectralOcean, RenderError> {
-        let sea = build.scene.sea.build(build.scene.seed)?;
-        let significant_height_m = whitecap_waves::statistics::significant_height_m(sea.variance_m2());
         // The scene's reader lets no other sea through, and no more tiles.
-        let models = sea.into_tiles().filter(|tiles| (1..=MAX_CASCADES).contains(&tiles.len()));
-        let Some(models) = models else { return Err(wrong_sea(build)) };
-        let tiles = models
-            .into_iter()
-            .map(|model| TileMaps::new(build.device, build.queue, build.backend, model, Vertices::Anywhere))
-            .collect::<Result<Vec<_>, _>>()?;
+        let sea = match build.scene.sea.build(build.scene.seed)? {
+            SeaSurface::Spectral(sea) if (1..=MAX_CASCADES).contains(&sea.tiles().len()) => sea,
+            _ => return Err(wrong_sea(build)),
+        };
+        let Some(light) = build.light else {
+            return Err(RenderError::Unsupported { what: "an environment of display values".into() });
+        };
+        let significant_height_m = whitecap_waves::statistics::significant_height_m(sea.variance_m2());
+        let roughness = Roughness::of(build.scene, &sea)?;
+        let wind_speed_mps = build.scene.sea.wind_speed_mps();
+        let foam = Foam::new(&sea, FoamParameters { wind_speed_mps, decay_s: DECAY_S })
+            .map_err(|error| RenderError::Internal { description: error.to_string() })?;
+        let foam = FoamMaps::new(build.device, build.queue, foam)?;
+        let maps_of = |model| {
+            let model: Box<dyn WaveModel> = Box::new(model);
+            TileMaps::new(build.device, build.queue, build.backend, model, Vertices::Anywhere)
+        };
+        let tiles = sea.into_tiles().into_iter().map(maps_of).collect::<Result<Vec<_>, _>>()?;
 
         // Where a processor draws, triangles are dear.
         let (cells, levels) = if build.is_software() { (128, 10) } else { (256, 10) };
         let last_cell_m = FINEST_CELL_M * f64::from(levels - 1).exp2();
         let grid = NestedGrid::new(cells, levels, (REACH_M / last_cell_m) as f32);
         let slots = ViewSlots::new(build.device, "spectral ocean");
-        let pipeline = Pipeline::new(build, &grid, &tiles, &slots);
+        let pipeline = Pipeline::new(build, &grid, &tiles, &foam, &slots);
         Ok(SpectralOcean {
             settings: settings.clone(),
+            roughness,
+            foam,
             scattered_light: scattered_light(settings, build.irradiance),
-            sun_cos: build.toward_sun.y.max(0.0),
+            sun_cos: light.sun.map_or(1.0, |sun| sun.toward.y.max(0.0)),
+            sun_klx: light.sun.map_or(Vec3::ZERO, |sun| sun.illuminance_klx),
+            sky_klx: light.sky_illuminance_klx,
             sway_m: significant_height_m,
             tiles,
             grid,
@@ -114,7 +138,7 @@ impl SpectralOcean {
         }
         let half_width_m = cell_m * f64::from(self.grid.half_cells()) * f64::from(self.levels - 1).exp2();
         let mut cascades = [GpuCascade::default(); MAX_CASCADES];
-        for (cascade, maps) in cascades.iter_mut().zip(&self.tiles) {
+        for ((cascade, maps), shape) in cascades.iter_mut().zip(&self.tiles).zip(&self.roughness.tiles) {
             let shortest_m = SAMPLES_PER_WAVE * maps.tile_size_m() / maps.resolution() as f64;
             let fade_end_m = (FADE_END_WAVES * shortest_m / self.cell_per_m()).min(FADE_LIMIT * half_width_m);
             let fade_start_m = (FADE_START_WAVES * shortest_m / self.cell_per_m()).min(0.5 * fade_end_m);
@@ -126,6 +150,8 @@ impl SpectralOcean {
                 fade_end_m: fade_end_m as f32,
                 half_texel: (0.5 / maps.resolution() as f64) as f32,
                 padding: 0,
+                slope_shape: shape.to_array(),
+                end: 0,
             };
         }
         GpuSpectralOcean {
@@ -134,11 +160,14 @@ impl SpectralOcean {
             scattered_light: self.scattered_light.to_array(),
             sun_cos: self.sun_cos,
             cell_m: cell_m as f32,
-            eye_height_m: view.eye_m.y as f32,
-            earth_radius_m: (self.settings.curvature_radius_km * 1000.0) as f32,
-            visibility_m: (self.settings.visibility_km * 1000.0) as f32,
-            cascade_count: self.tiles.len() as u32,
             padding: [0; 3],
+            slopes_beyond: self.roughness.beyond.to_array(),
+            eye_height_m: view.eye_m.y as f32,
+            sun_klx: self.sun_klx.to_array(),
+            earth_radius_m: (self.settings.curvature_radius_km * 1000.0) as f32,
+            sky_klx: self.sky_klx.to_array(),
+            cascade_count: self.tiles.len() as u32,
+            foam: self.foam.uniforms(eye),
         }
     }
 }
@@ -157,6 +186,8 @@ impl Technique for SpectralOcean {
             maps.update(frame.queue, frame.encoder, frame.time_s);
         }
         frame.end_of_pass("sea");
+        self.foam.update(frame.queue, frame.time_s);
+        frame.end_of_pass("foam");
         self.seen.clear();
         for (i, view) in frame.views.iter().enumerate() {
             let uniforms = self.uniforms(view);
