@@ -5,6 +5,9 @@
 
 #[cfg(test)]
 pub(crate) mod layout;
+mod water_light;
+
+pub use water_light::GpuWaterLight;
 
 /// A linked shader.
 #[derive(Clone, Copy, Debug)]
@@ -93,6 +96,8 @@ shaders! {
     SPECTRAL_OCEAN_VERTICES = "spectral_ocean_vertices";
     /// Every shared function on a buffer of inputs.
     TWINS = "twins";
+    /// The sea's optics on a buffer of inputs.
+    OPTICS_TWINS = "optics_twins";
     /// The sum of sines on a buffer of inputs.
     SINES_TWINS = "sines_twins";
 }

@@ -9,6 +9,7 @@ mod exposure;
 mod fresnel;
 mod geometry;
 pub mod surface;
+pub mod water_body;
 
 pub use color::{WATER_REFRACTIVE_INDEX, WaterBody, water_color_lerp, water_color_single_scatter};
 pub use exposure::{MAX_EXPOSURE, exposure_split};
