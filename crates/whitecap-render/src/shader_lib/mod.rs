@@ -5,6 +5,9 @@
 
 #[cfg(test)]
 pub(crate) mod layout;
+mod water_light;
+
+pub use water_light::GpuWaterLight;
 
 /// A linked shader.
 #[derive(Clone, Copy, Debug)]
@@ -95,6 +98,8 @@ shaders! {
     TWINS = "twins";
     /// The tone maps on a buffer of inputs.
     TONE_MAP_TWINS = "tone_map_twins";
+    /// The sea's optics on a buffer of inputs.
+    OPTICS_TWINS = "optics_twins";
     /// The sum of sines on a buffer of inputs.
     SINES_TWINS = "sines_twins";
     /// Foam as it is drawn, on a buffer of places.

@@ -117,6 +117,12 @@ impl Sea {
         }
     }
 
+    /// The depth of the water; `None` where it is deep.
+    pub fn depth_m(&self) -> Option<f64> {
+        let SeaModel::Spectral(settings) = &self.model else { return None };
+        settings.depth_m
+    }
+
     /// The strongest wind that any of its systems speaks of.
     pub fn wind_speed_mps(&self) -> Option<f64> {
         let SeaModel::Spectral(settings) = &self.model else { return None };

@@ -13,7 +13,7 @@ pub use meshuggah::{FresnelForm, Meshuggah, WaterColor};
 pub use ocean_water::{Highlights, OceanWater, Tangent, shore_damping};
 pub use projected_grid::{Normals, OffsetAxes, Pairing, ProjectedGrid, RefractedColor};
 pub use rippling_lake::{RipplingLake, SwapUv};
-pub use spectral_ocean::SpectralOcean;
+pub use spectral_ocean::{SpectralOcean, WaterType};
 
 use crate::error::SceneError;
 use crate::reader::TableReader;

@@ -11,6 +11,7 @@ mod fresnel;
 mod geometry;
 pub mod surface;
 mod tone_map;
+pub mod water_body;
 
 pub use color::{WATER_REFRACTIVE_INDEX, WaterBody, water_color_lerp, water_color_single_scatter};
 pub use exposure::{MAX_EXPOSURE, exposure_split};

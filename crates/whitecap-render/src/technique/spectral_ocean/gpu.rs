@@ -3,9 +3,9 @@
 use super::super::Build;
 use crate::geometry::NestedGrid;
 use crate::gpu::resources::{PipelineRequest, bind_group, buffer, linear_sampler};
-use crate::shader_lib;
+use crate::shader_lib::{self, GpuWaterLight};
 use crate::surface::{FoamMaps, GpuFoam, TileMaps};
-use crate::uniforms::{ViewSlots, sampler_entry, texture_entry};
+use crate::uniforms::{ViewSlots, sampler_entry, texture_entry, uniform_entry};
 use std::ops::Range;
 
 /// Tiles that the shader reads.
@@ -34,17 +34,24 @@ pub(super) struct GpuCascade {
 pub(super) struct GpuSpectralOcean {
     pub(super) level_origins: [[f32; 4]; MAX_LEVELS / 2],
     pub(super) cascades: [GpuCascade; MAX_CASCADES],
-    pub(super) scattered_light: [f32; 3],
-    pub(super) sun_cos: f32,
     pub(super) cell_m: f32,
-    pub(super) padding: [u32; 3],
-    pub(super) slopes_beyond: [f32; 3],
     pub(super) eye_height_m: f32,
-    pub(super) sun_klx: [f32; 3],
     pub(super) earth_radius_m: f32,
-    pub(super) sky_klx: [f32; 3],
     pub(super) cascade_count: u32,
     pub(super) foam: GpuFoam,
+}
+
+/// Layout twin of `GpuWaters` in `spectral_ocean.wesl`.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+pub(super) struct GpuWaters {
+    pub(super) light: GpuWaterLight,
+    pub(super) slopes_beyond: [f32; 3],
+    pub(super) depth_m: f32,
+    pub(super) sun_klx: [f32; 3],
+    pub(super) padding: u32,
+    pub(super) sky_klx: [f32; 3],
+    pub(super) end: u32,
 }
 
 pub(super) struct Pipeline {
@@ -60,14 +67,16 @@ impl Pipeline {
         grid: &NestedGrid,
         tiles: &[TileMaps],
         foam: &FoamMaps,
+        waters: &GpuWaters,
         slots: &ViewSlots<GpuSpectralOcean>,
     ) -> Pipeline {
         let (device, queue) = (build.device, build.queue);
         let layout = group_layout(device);
         let contents = |label, bytes, usage| buffer(device, queue, label, bytes, usage);
+        let waters = contents("waters", bytemuck::bytes_of(waters), wgpu::BufferUsages::UNIFORM);
         Pipeline {
             pipeline: pipeline(build, &layout),
-            group: ocean_group(device, &layout, tiles, foam, slots),
+            group: ocean_group(device, &layout, tiles, foam, &waters, slots),
             vertices: contents(
                 "nested grid",
                 bytemuck::cast_slice(&grid.vertices),
@@ -109,6 +118,7 @@ pub(super) fn group_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
             sampler_entry(9, S::FRAGMENT),
             texture_entry(10, S::FRAGMENT, wgpu::TextureViewDimension::D2Array, true),
             texture_entry(11, S::FRAGMENT, d2, true),
+            uniform_entry(12, S::FRAGMENT),
         ],
     })
 }
@@ -118,6 +128,7 @@ pub(super) fn ocean_group(
     layout: &wgpu::BindGroupLayout,
     tiles: &[TileMaps],
     foam: &FoamMaps,
+    waters: &wgpu::Buffer,
     slots: &ViewSlots<GpuSpectralOcean>,
 ) -> wgpu::BindGroup {
     // A place that no tile fills holds the last one's map, which is not read there.
@@ -131,8 +142,9 @@ pub(super) fn ocean_group(
     use wgpu::BindingResource::{Sampler, TextureView};
     let textures = displacements.iter().chain(&normals).map(TextureView);
     let (memory, structure) = (foam.maps(), foam.structure());
-    let foam = [Sampler(&repeating), TextureView(&memory), TextureView(&structure)];
-    let resources = std::iter::once(slots.binding()).chain(textures).chain(foam);
+    let rest =
+        [Sampler(&repeating), TextureView(&memory), TextureView(&structure), waters.as_entire_binding()];
+    let resources = std::iter::once(slots.binding()).chain(textures).chain(rest);
     bind_group(device, "spectral ocean", layout, resources)
 }
 

@@ -13,19 +13,21 @@ mod visible;
 
 use super::{Build, Frame, Technique, wrong_sea};
 use crate::RenderError;
+use crate::environment::Light;
 use crate::geometry::NestedGrid;
+use crate::shader_lib::GpuWaterLight;
 use crate::surface::{FoamMaps, TileMaps, Vertices};
 use crate::uniforms::ViewSlots;
 use crate::view::View;
-use glam::{DVec2, Vec3};
+use glam::{DVec2, DVec3, Vec3};
+use gpu::{GpuCascade, GpuSpectralOcean, GpuWaters, MAX_CASCADES, MAX_LEVELS, Pipeline};
 use roughness::Roughness;
-use gpu::{GpuCascade, GpuSpectralOcean, MAX_CASCADES, MAX_LEVELS, Pipeline};
 use visible::Wedge;
 use whitecap_scene::sea::SeaSurface;
 use whitecap_scene::technique as settings;
 use whitecap_waves::model::WaveModel;
 use whitecap_waves::model::spectral::foam::{DECAY_S, Foam, FoamParameters};
-use whitecap_waves::optics::WATER_REFRACTIVE_INDEX;
+use whitecap_waves::optics::water_body::{Daylight, WaterLight};
 
 /// The apron reaches this far, metres: beyond the horizon of a viewer at 100 km.
 const REACH_M: f64 = 2.0e6;
@@ -37,6 +39,9 @@ const FINEST_CELL_M: f64 = 0.0625;
 /// times as long. Slopes do not leave: they are the pixel stage's.
 const FADE_START_WAVES: f64 = 0.5;
 const FADE_END_WAVES: f64 = 3.0;
+
+/// A bottom that no light comes back from, metres.
+const BOTTOMLESS_M: f64 = 1e4;
 
 /// The shortest wave of a tile, in its samples.
 const SAMPLES_PER_WAVE: f64 = 4.0;
@@ -53,11 +58,6 @@ pub(super) struct SpectralOcean {
     sway_m: f64,
     roughness: Roughness,
     foam: FoamMaps,
-    scattered_light: Vec3,
-    sun_cos: f32,
-    /// Illuminance of the sun, facing it, and of the sky on the level, klx.
-    sun_klx: Vec3,
-    sky_klx: Vec3,
     slots: ViewSlots<GpuSpectralOcean>,
     pipeline: Pipeline,
     /// The parts of the mesh that each view sees.
@@ -94,15 +94,12 @@ impl SpectralOcean {
         let last_cell_m = FINEST_CELL_M * f64::from(levels - 1).exp2();
         let grid = NestedGrid::new(cells, levels, (REACH_M / last_cell_m) as f32);
         let slots = ViewSlots::new(build.device, "spectral ocean");
-        let pipeline = Pipeline::new(build, &grid, &tiles, &foam, &slots);
+        let pipeline =
+            Pipeline::new(build, &grid, &tiles, &foam, &waters(build, settings, light, &roughness), &slots);
         Ok(SpectralOcean {
             settings: settings.clone(),
             roughness,
             foam,
-            scattered_light: scattered_light(settings, build.irradiance),
-            sun_cos: light.sun.map_or(1.0, |sun| sun.toward.y.max(0.0)),
-            sun_klx: light.sun.map_or(Vec3::ZERO, |sun| sun.illuminance_klx),
-            sky_klx: light.sky_illuminance_klx,
             sway_m: significant_height_m,
             tiles,
             grid,
@@ -157,27 +154,43 @@ impl SpectralOcean {
         GpuSpectralOcean {
             level_origins,
             cascades,
-            scattered_light: self.scattered_light.to_array(),
-            sun_cos: self.sun_cos,
             cell_m: cell_m as f32,
-            padding: [0; 3],
-            slopes_beyond: self.roughness.beyond.to_array(),
             eye_height_m: view.eye_m.y as f32,
-            sun_klx: self.sun_klx.to_array(),
             earth_radius_m: (self.settings.curvature_radius_km * 1000.0) as f32,
-            sky_klx: self.sky_klx.to_array(),
             cascade_count: self.tiles.len() as u32,
             foam: self.foam.uniforms(eye),
         }
     }
 }
 
-/// β E/c: light of irradiance E on the level sea that water, scattering alike in all directions, sends up again from
-/// one extinction length. Radiance thins by n² on its way into air.
-fn scattered_light(settings: &settings::SpectralOcean, irradiance: Vec3) -> Vec3 {
-    let share = 1.0 / (4.0 * std::f64::consts::PI * WATER_REFRACTIVE_INDEX * WATER_REFRACTIVE_INDEX);
-    let channel = |i: usize| share * settings.scattering_per_m[i] / settings.extinction_per_m[i];
-    irradiance * Vec3::from_array([0, 1, 2].map(|i| channel(i) as f32))
+/// The light in the water and on it.
+fn waters(
+    build: &Build<'_>,
+    settings: &settings::SpectralOcean,
+    light: &Light,
+    roughness: &Roughness,
+) -> GpuWaters {
+    let sun_klx = light.sun.map_or(Vec3::ZERO, |sun| sun.illuminance_klx);
+    let daylight = Daylight {
+        sun_irradiance: sun_klx.as_dvec3().to_array(),
+        toward_sun: light.sun.map_or(DVec3::Y, |sun| sun.toward.as_dvec3()),
+        sky_irradiance: light.sky_illuminance_klx.as_dvec3().to_array(),
+    };
+    let light_below = WaterLight::new(
+        &settings.optics(),
+        &daylight,
+        settings.bottom_albedo,
+        roughness.crest_wavenumber_per_m,
+    );
+    GpuWaters {
+        light: GpuWaterLight::from(&light_below),
+        slopes_beyond: roughness.beyond.to_array(),
+        depth_m: build.scene.sea.depth_m().unwrap_or(BOTTOMLESS_M) as f32,
+        sun_klx: sun_klx.to_array(),
+        padding: 0,
+        sky_klx: light.sky_illuminance_klx.to_array(),
+        end: 0,
+    }
 }
 
 impl Technique for SpectralOcean {

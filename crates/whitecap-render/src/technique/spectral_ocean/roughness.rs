@@ -19,6 +19,8 @@ pub(super) struct Roughness {
     pub(super) tiles: Vec<Vec3>,
     /// Of waves beyond the last band: the variances and the covariance of slope.
     pub(super) beyond: Vec3,
+    /// How sharp the crests of the longest band are: the root of its variance of slope over that of height, 1/m.
+    pub(super) crest_wavenumber_per_m: f64,
 }
 
 impl Roughness {
@@ -29,14 +31,21 @@ impl Roughness {
         let bands: Vec<Band> = sea.parameters().cascades.iter().map(|cascade| cascade.band).collect();
         let Ok(spectrum) = PolarSpectrum::of(&spectra, dispersion, Band::WHOLE) else {
             // Nothing to sample: a flat sea.
-            return Ok(Roughness { tiles: vec![shape(SlopeVariance::default()); bands.len()], beyond: Vec3::ZERO });
+            return Ok(Roughness {
+                tiles: vec![shape(SlopeVariance::default()); bands.len()],
+                beyond: Vec3::ZERO,
+                crest_wavenumber_per_m: 1.0,
+            });
         };
         let last = bands.iter().map(|band| band.to).fold(0.0, f64::max);
         let beyond = match last < SHORTEST {
             true => spectrum.within(Band { from: last, to: SHORTEST }).1,
             false => SlopeVariance::default(),
         };
+        let longest = bands.first().map(|band| spectrum.within(*band));
+        let (variance_m2, slope) = longest.unwrap_or_default();
         Ok(Roughness {
+            crest_wavenumber_per_m: (slope.total() / variance_m2.max(1e-12)).sqrt().max(1e-3),
             tiles: bands.iter().map(|band| shape(spectrum.within(*band).1)).collect(),
             beyond: tensor(beyond),
         })

@@ -10,9 +10,11 @@ use glam::DVec3;
 pub struct ReflectionTap {
     /// Unit vector, never below the horizon.
     pub toward: DVec3,
+    /// The share of its radiance that reaches the eye.
     pub weight: f64,
-    /// Standard deviation of the light's direction in height and in azimuth (along the horizon), radians.
+    /// Standard deviation of the light's direction in height, radians.
     pub spread_along_rad: f64,
+    /// The same along the horizon.
     pub spread_across_rad: f64,
 }
 
@@ -20,7 +22,9 @@ pub struct ReflectionTap {
 /// The weights add up to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SeaReflection {
+    /// From the facets that reflect lowest to those that reflect highest.
     pub taps: [ReflectionTap; 3],
+    /// The share of the water's own radiance.
     pub water_weight: f64,
 }
 
@@ -78,8 +82,8 @@ fn tap(
     let across = 2.0 * cos.abs() * (facets.across_variance / tilt).sqrt();
 
     // The part of the blurred tap above the horizon, and its elevation times that part: those of a cubic ramp and a
-    // parabola to either side. No facet that is seen reflects lower than straight on.
-    let reach = (TAP_REACH * along).min(reflected.y + toward_eye.y).max(1e-4);
+    // parabola to either side.
+    let reach = TAP_REACH * along;
     let sky = (0.5 + 0.5 * reflected.y / reach).clamp(0.0, 1.0);
     let sky_elevation = if sky < 1.0 { reach * sky * sky } else { reflected.y };
     let horizontal = level(reflected);

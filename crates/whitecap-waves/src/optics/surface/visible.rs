@@ -20,13 +20,15 @@ pub struct VisibleFacets {
     pub seen_share: f64,
     /// Unit level vector towards the eye.
     pub toward: DVec2,
-    /// Slopes towards the eye of three facets that stand for what reflects, and their shares of `mean_fresnel`.
+    /// Slopes towards the eye of three facets that stand for what reflects.
     pub reflecting_slopes: [f64; 3],
+    /// Their shares of `mean_fresnel`.
     pub reflecting_weights: [f64; 3],
-    /// Slope across: at a slope of 0 towards the eye, its change per slope towards the eye, and its variance
-    /// where that is given.
+    /// Slope across the view where that towards the eye is 0.
     pub across_slope: f64,
+    /// Its change per slope towards the eye.
     pub across_per_slope: f64,
+    /// Its variance where that is given.
     pub across_variance: f64,
     /// Variance of the slope towards the eye.
     pub variance: f64,

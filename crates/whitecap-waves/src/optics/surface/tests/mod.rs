@@ -122,7 +122,7 @@ fn weights_are_those_of_many_reflections() {
             let reflection = sea_reflection(&slopes, &facets, eye(degrees), N);
             let (_, single, _) = visible_means(&slopes, eye(degrees));
             let seen = 1.0 - reflection.water_weight;
-            let expected = walked(&slopes, eye(degrees), 40_000, |_| 1.0);
+            let expected = walked(&slopes, eye(degrees), 30_000, |_| 1.0);
             let error = (seen - expected).abs();
             let bound = if slopes.covariance.xx < 0.025 { 0.007 } else { 0.012 };
             assert!(error < bound, "{degrees} {slopes:?}: {seen} for {expected}");
@@ -154,7 +154,7 @@ fn a_sky_in_the_taps_is_the_sky_in_the_waves() {
                     seen += 0.5 * tap.weight * sky(at);
                 }
             }
-            let expected = walked(&slopes, eye(degrees), 40_000, sky);
+            let expected = walked(&slopes, eye(degrees), 30_000, sky);
             let error = (seen / expected - 1.0).abs();
             assert!(error < 0.11, "{degrees} {slopes:?}: {seen} for {expected}");
             worst = worst.max(error);
