@@ -3,22 +3,23 @@
 //! Whatever the scene names (an atmosphere that is computed, a panorama that was photographed)
 //! becomes an [`Environment`]: a prefiltered cube map, and the sun where it is known apart.
 
-mod atmosphere;
+mod clear_sky;
 mod clouds;
 mod cube;
 mod display;
 
-pub use atmosphere::Atmosphere;
 pub use cube::{CubeMap, FACE_SIZE, glow};
 pub use display::{display_from_linear, exposed, linear_from_display};
 
 use crate::RenderError;
+use clear_sky::ClearSky;
 use clouds::Clouds;
 use glam::{DVec3, Vec3};
 use std::f32::consts::PI;
 use whitecap_scene::panorama::Panorama;
 use whitecap_scene::sky::{Atmosphere as AtmosphereSky, PanoramaSky};
 use whitecap_scene::{Scene, Sky};
+use whitecap_waves::optics::atmosphere;
 
 /// Mean radiance of the sky that exposure 0 EV maps to: a little above middle grey, so that the sky
 /// keeps its colour and the sun's surroundings alone run into white.
@@ -56,7 +57,7 @@ pub struct Sun {
 }
 
 /// The sun's angular radius seen from Earth, radians (0.2666°).
-pub const SUN_RADIUS_RAD: f32 = 0.004_653;
+pub const SUN_RADIUS_RAD: f32 = atmosphere::SUN_RADIUS_RAD as f32;
 
 impl Environment {
     /// Computes the light of a scene's sky. Takes some tenths of a second on two cores.
@@ -74,29 +75,28 @@ impl Environment {
     }
 
     fn of_atmosphere(settings: &AtmosphereSky, seed: u64) -> Environment {
-        let toward_sun = toward(settings.sun_azimuth_deg, settings.sun_elevation_deg);
-        let air = Atmosphere::new(toward_sun, settings.haze as f32);
-        let clouds = Clouds::new(&air, settings.cloud_cover as f32, seed);
+        let clear = ClearSky::new(settings);
+        let (toward_sun, mean) = (clear.toward_sun, clear.mean);
+        let clouds = Clouds::new(&clear, settings.cloud_cover as f32, seed);
         // Eyes and cameras follow the light of evening only part of the way down.
-        let light = air.mean_radiance().dot(LUMINANCE).max(1e-9);
-        let dimming = (light / DAYLIGHT).min(1.0).powf(1.0 - ADAPTATION);
-        let exposure = exposure(air.mean_radiance(), settings.exposure_ev) * dimming;
-        let sun = Sun { toward: toward_sun, radiance: air.sun_radiance() * exposure };
+        let dimming = (mean.dot(LUMINANCE).max(1e-9) / DAYLIGHT).min(1.0).powf(1.0 - ADAPTATION);
+        let exposure = exposure(mean, settings.exposure_ev) * dimming;
+        let sun = Sun { toward: toward_sun, radiance: clear.sun_radiance() * exposure };
         let sun = (sun.radiance.max_element() > 0.0).then_some(sun);
         let sky = |direction: Vec3| {
             let light = if direction.y < 0.0 {
-                below_horizon(direction.y, air.radiance(direction), air.mean_radiance())
+                below_horizon(direction.y, clear.radiance(direction), mean)
             } else {
-                clouds.over(direction, air.radiance(direction))
+                clouds.over(direction, clear.radiance(direction))
             };
             light * exposure
         };
-        let from_sun = air.sun_transmittance(0.0) * toward_sun.y.max(0.0);
+        let from_sun = clear.sun_transmittance(0.0) * toward_sun.y.max(0.0);
         Environment {
             cube: CubeMap::bake(|d| expose(sky(d)), sun.as_ref(), 1),
             sun,
-            irradiance: (from_sun + PI * air.mean_radiance()) * exposure,
-            skylight: air.mean_radiance() * exposure,
+            irradiance: (from_sun + PI * mean) * exposure,
+            skylight: mean * exposure,
             daylight: display_from_linear(KEY * dimming) / display_from_linear(KEY),
         }
     }
@@ -217,7 +217,7 @@ mod tests {
             let environment =
                 Environment::new(&of_toml(&format!("sun_elevation_deg = {elevation:?}"))).unwrap();
             let typical = typical(&environment);
-            assert!((0.2..0.95).contains(&typical), "{typical} with the sun at {elevation}°");
+            assert!((0.18..0.95).contains(&typical), "{typical} with the sun at {elevation}°");
             assert_eq!(environment.sun.is_some(), elevation > -1.0);
         }
         let dark = Environment::new(&of_toml("exposure_ev = -2.0\ncloud_cover = 0.0")).unwrap();
