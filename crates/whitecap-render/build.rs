@@ -37,6 +37,7 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::technique::spectral_ocean::spectral_ocean", "spectral_ocean_per_sample", &["per_sample"]),
     ("package::technique::spectral_ocean::vertices", "spectral_ocean_vertices", &[]),
     ("package::shader_lib::twins", "twins", &[]),
+    ("package::shader_lib::tone_map_twins", "tone_map_twins", &[]),
     ("package::shader_lib::sines_twins", "sines_twins", &[]),
 ];
 

@@ -26,7 +26,7 @@ mod view;
 mod water;
 
 pub use gpu::{AdapterDescription, Gpu, RenderError, list_adapters};
-pub use target::TargetFormat;
+pub use target::{Stores, TargetFormat};
 pub use timing::PassTime;
 pub use uniforms::MAX_VIEWS;
 pub use view::View;

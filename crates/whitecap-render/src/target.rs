@@ -3,8 +3,8 @@
 /// The formats of the pass that the water joins, and the sense of its depth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TargetFormat {
-    /// The colour attachment. Into a format that stores linear light (`…Srgb` or float) the
-    /// display-referred values of the classics are decoded first, so that they look the same.
+    /// The colour attachment. Its format decides what it holds, see [`Stores`]: the display values of
+    /// the classics are decoded for `…Srgb` and float, so that they look the same.
     pub color: wgpu::TextureFormat,
     /// The depth attachment.
     pub depth: wgpu::TextureFormat,
@@ -15,6 +15,18 @@ pub struct TargetFormat {
     /// Whether the water is shaded for each sample instead of each pixel. It smooths the sun's glints
     /// as multisampling alone smooths edges, at four times the cost: for stills.
     pub sample_shading: bool,
+}
+
+/// What a colour attachment holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stores {
+    /// Display values (sRGB) as they are.
+    DisplayValues = 0,
+    /// Linear light of a display, which the device encodes.
+    DisplayLight = 1,
+    /// Radiance of the scene in kcd/m², without exposure and tone map. Techniques that work on display values write the
+    /// linear light of a display, white being 1.
+    Radiance = 2,
 }
 
 impl Default for TargetFormat {
@@ -31,10 +43,14 @@ impl Default for TargetFormat {
 }
 
 impl TargetFormat {
-    /// Whether what a shader writes is taken as linear light.
-    pub fn stores_linear_light(&self) -> bool {
+    /// What the colour attachment holds.
+    pub fn stores(&self) -> Stores {
         use wgpu::TextureFormat as F;
-        self.color.is_srgb() || matches!(self.color, F::Rgba16Float | F::Rgba32Float | F::Rg11b10Ufloat)
+        match self.color {
+            F::Rgba16Float | F::Rgba32Float | F::Rg11b10Ufloat => Stores::Radiance,
+            color if color.is_srgb() => Stores::DisplayLight,
+            _ => Stores::DisplayValues,
+        }
     }
 
     /// The depth of what is infinitely far away.

@@ -1,9 +1,10 @@
 //! What every pass is told: the view, and the light around.
 
 use crate::environment::{CubeMap, Environment, FACE_SIZE, SUN_RADIUS_RAD, display_from_linear};
-use crate::gpu::resources::bind_group;
+use crate::gpu::resources::{bind_group, buffer};
 use crate::{RenderError, TargetFormat, View};
 use glam::{Mat4, Vec3, Vec4};
+use whitecap_scene::ToneMap;
 
 /// Views of one sea that a frame can hold.
 pub const MAX_VIEWS: usize = 16;
@@ -19,7 +20,7 @@ pub(crate) struct GpuView {
     pub(crate) eye_world_from_clip: [[f32; 4]; 4],
     pub(crate) pixel_angle_rad: f32,
     pub(crate) far_depth: f32,
-    pub(crate) stores_linear_light: u32,
+    pub(crate) stores: u32,
     pub(crate) padding: u32,
     pub(crate) clip_plane: [f32; 4],
 }
@@ -75,7 +76,7 @@ impl GpuView {
             eye_world_from_clip: clip_from_eye_world.inverse().to_cols_array_2d(),
             pixel_angle_rad: view.pixel_angle_rad(),
             far_depth: target.far_depth(),
-            stores_linear_light: u32::from(target.stores_linear_light()),
+            stores: target.stores() as u32,
             padding: 0,
             clip_plane: role.clip_plane(plane_m, margin_m).to_array(),
         }
@@ -92,6 +93,27 @@ pub(crate) struct GpuSun {
     pub(crate) padding: u32,
     pub(crate) skylight: [f32; 3],
     pub(crate) end: u32,
+}
+
+/// Layout twin of `GpuPicture` in `tone_map.wesl`.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+pub(crate) struct GpuPicture {
+    pub(crate) exposure: f32,
+    pub(crate) tone_map: u32,
+    pub(crate) padding: [u32; 2],
+}
+
+impl GpuPicture {
+    fn new(exposure: f32, tone_map: ToneMap) -> GpuPicture {
+        let tone_map = match tone_map {
+            ToneMap::Agx => 0,
+            ToneMap::Aces => 1,
+            ToneMap::PbrNeutral => 2,
+            ToneMap::None => 3,
+        };
+        GpuPicture { exposure, tone_map, padding: [0; 2] }
+    }
 }
 
 /// A uniform per view in one buffer, chosen by dynamic offset, so that all views of a frame can be
@@ -167,6 +189,7 @@ impl Shared {
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         environment: &Environment,
+        tone_map: ToneMap,
         target: TargetFormat,
     ) -> Shared {
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT;
@@ -183,10 +206,14 @@ impl Shared {
                 texture_entry(0, stages, wgpu::TextureViewDimension::Cube, true),
                 sampler_entry(1, stages),
                 uniform_entry(2, stages),
+                uniform_entry(3, stages),
             ],
         });
         let cube = upload_cube(device, queue, &environment.cube);
         let sun = upload_sun(device, queue, environment);
+        let picture = GpuPicture::new(environment.exposure, tone_map);
+        let picture =
+            buffer(device, queue, "picture", bytemuck::bytes_of(&picture), wgpu::BufferUsages::UNIFORM);
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("environment"),
             mag_filter: wgpu::FilterMode::Linear,
@@ -195,7 +222,8 @@ impl Shared {
             ..Default::default()
         });
         use wgpu::BindingResource::{Sampler, TextureView};
-        let resources = [TextureView(&cube), Sampler(&sampler), sun.as_entire_binding()];
+        let resources =
+            [TextureView(&cube), Sampler(&sampler), sun.as_entire_binding(), picture.as_entire_binding()];
         let environment_group = bind_group(device, "environment", &environment_layout, resources);
         Shared { target, views, view_layout, view_group, environment_layout, environment_group }
     }
@@ -319,14 +347,7 @@ fn upload_sun(device: &wgpu::Device, queue: &wgpu::Queue, environment: &Environm
         skylight: environment.skylight.to_array(),
         end: 0,
     };
-    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("sun"),
-        size: size_of::<GpuSun>() as u64,
-        usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    });
-    queue.write_buffer(&buffer, 0, bytemuck::bytes_of(&sun));
-    buffer
+    buffer(device, queue, "sun", bytemuck::bytes_of(&sun), wgpu::BufferUsages::UNIFORM)
 }
 
 #[cfg(test)]
@@ -340,14 +361,7 @@ mod tests {
             GpuView,
             shader_lib::SKY.wgsl,
             "GpuView",
-            [
-                clip_from_eye_world,
-                eye_world_from_clip,
-                pixel_angle_rad,
-                far_depth,
-                stores_linear_light,
-                clip_plane,
-            ]
+            [clip_from_eye_world, eye_world_from_clip, pixel_angle_rad, far_depth, stores, clip_plane,]
         );
         assert_layout!(GpuSun, shader_lib::SKY.wgsl, "GpuSun", [toward, radius_rad, display, skylight]);
     }

@@ -36,6 +36,7 @@ pub mod mesh;
 pub mod named;
 pub mod object;
 pub mod panorama;
+mod picture;
 mod reader;
 pub mod reference;
 mod registry;
@@ -47,6 +48,7 @@ pub mod technique;
 
 pub use camera::Camera;
 pub use error::SceneError;
+pub use picture::{Picture, ToneMap};
 pub use registry::Registered;
 pub use scene::{Scene, open};
 pub use sea::Sea;

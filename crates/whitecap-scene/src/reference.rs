@@ -3,6 +3,7 @@
 use crate::camera::Camera;
 use crate::key::Key;
 use crate::object::Object;
+use crate::picture::Picture;
 use crate::registry::{Registered, Tag};
 use crate::scene::Scene;
 use crate::{sea, sky, technique};
@@ -59,6 +60,7 @@ pub fn reference() -> impl Iterator<Item = KeyDoc> {
     }
     keys.add_tagged("sky", &sky::TAG);
     keys.add("camera", None, Camera::keys());
+    keys.add(Picture::TABLE, None, Picture::keys());
     keys.add("object[]", None, Object::keys());
     keys.0.into_iter()
 }

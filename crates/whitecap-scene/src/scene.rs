@@ -13,6 +13,7 @@ use crate::key::{Key, Seed, Tables, or};
 use crate::named;
 use crate::object::{self, Model, Object};
 use crate::panorama::Panorama;
+use crate::picture::Picture;
 use crate::reader::{Source, TableReader, did_you_mean, quoted_list};
 use crate::sea::Sea;
 use crate::sky::Sky;
@@ -36,6 +37,8 @@ pub struct Scene {
     pub sky: Sky,
     /// Where the scene is seen from.
     pub camera: Camera,
+    /// How light becomes a picture.
+    pub picture: Picture,
     /// What stands or floats in the water.
     pub objects: Vec<Object>,
     /// The picture of a sky that is one, if the scene came from a file. It is not part of what the file says.
@@ -158,6 +161,7 @@ impl Scene {
             seed: table.read("seed", &SEED)?,
             sky: Sky::read(&table.table("sky")?)?,
             camera: Camera::read_checked(&table.table("camera")?)?,
+            picture: Picture::read_for(table, &technique)?,
             objects: table.read("object", &OBJECTS)?,
             technique,
             sea,
@@ -200,7 +204,7 @@ impl Scene {
 
     /// The tables at the top of the file.
     fn tables() -> impl Iterator<Item = &'static str> {
-        ["sea", "sky", "camera", "object"]
+        ["sea", "sky", "camera", Picture::TABLE, "object"]
             .into_iter()
             .chain(technique::ALL.iter().map(|technique| technique.word))
     }
@@ -235,13 +239,16 @@ fn text_of(path: &Path) -> Result<String, String> {
 
 impl Serialize for Scene {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut scene = serializer.serialize_map(Some(7))?;
+        let mut scene = serializer.serialize_map(None)?;
         scene.serialize_entry("technique", self.technique.word())?;
         scene.serialize_entry("seed", &self.seed)?;
         scene.serialize_entry("sea", &self.sea)?;
         scene.serialize_entry(self.technique.word(), &self.technique)?;
         scene.serialize_entry("sky", &self.sky)?;
         scene.serialize_entry("camera", &self.camera)?;
+        if self.technique.is_scene_linear() {
+            scene.serialize_entry(Picture::TABLE, &self.picture)?;
+        }
         if !self.objects.is_empty() {
             scene.serialize_entry("object", &self.objects)?;
         }

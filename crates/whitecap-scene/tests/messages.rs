@@ -133,6 +133,15 @@ fn wrong_types() {
 }
 
 #[test]
+fn a_technique_without_a_tone_map_has_no_picture() {
+    assert_eq!(
+        message("[meshuggah]", "[picture]\n[meshuggah]"),
+        "storm.toml:14: picture: the technique \"meshuggah\" works on display values, which nothing maps; accepted: \
+         no [picture] table, sky.exposure_ev sets its exposure"
+    );
+}
+
+#[test]
 fn unknown_keys() {
     assert_eq!(
         message("tile_size_m", "tile_sise_m = 100.0"),
@@ -143,7 +152,7 @@ fn unknown_keys() {
     assert_eq!(
         message("[meshuggah]", "[meshuga]"),
         "storm.toml:14: meshuga: unknown key; did you mean \"meshuggah\"? \
-         accepted here: camera, five-sample, meshuggah, object, ocean-water, projected-grid, \
+         accepted here: camera, five-sample, meshuggah, object, ocean-water, picture, projected-grid, \
          rippling-lake, sea, seed, sky, spectral-ocean, technique"
     );
     assert_eq!(

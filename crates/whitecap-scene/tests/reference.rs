@@ -43,6 +43,13 @@ fn scene_with_table_of(doc: &KeyDoc) -> Table {
     let mut scene = match (doc.table.as_str(), doc.only_with) {
         ("sea", Some((_, model))) => scene_drawn_by(drawn_with(model)),
         ("sea.wave[]", _) => scene_drawn_by(drawn_with("sines")),
+        ("picture", _) => {
+            let linear = |word: &&str| {
+                Scene::from_toml(&scene_drawn_by(word).to_string(), "any")
+                    .is_ok_and(|scene| scene.technique.is_scene_linear())
+            };
+            scene_drawn_by(technique::ALL.iter().map(|technique| technique.word).find(linear).unwrap())
+        }
         (table, _) if technique::ALL.iter().any(|technique| technique.word == table) => scene_drawn_by(table),
         _ => whitecap_scene::open(named::DEFAULT).unwrap().to_toml().unwrap().parse().unwrap(),
     };
@@ -59,6 +66,9 @@ fn scene_with_table_of(doc: &KeyDoc) -> Table {
             sea.remove(planned);
         }
         sea.insert("cascade".to_owned(), vec!["tile_size_m = 150.0".parse::<Table>().unwrap()].into());
+    }
+    if doc.table == "picture" {
+        scene.insert("picture".to_owned(), Table::new().into());
     }
     if doc.table == "object[]" {
         let mut object = Table::new();
@@ -282,7 +292,9 @@ fn words_are_unique() {
     check(named::ALL.iter().map(|it| it.name).collect());
     // A technique's table stands beside these.
     for technique in technique::ALL {
-        assert!(!["technique", "seed", "sea", "sky", "camera", "object"].contains(&technique.word));
+        assert!(
+            !["technique", "seed", "sea", "sky", "camera", "picture", "object"].contains(&technique.word)
+        );
     }
 }
 

@@ -12,7 +12,7 @@ use whitecap_scene::sea::system::{PhillipsSystem, System};
 use whitecap_scene::sea::{Amplitudes, SeaModel, SpectralSettings, Tiling};
 use whitecap_scene::sky::{Atmosphere, PanoramaSky};
 use whitecap_scene::technique::{FresnelForm, Meshuggah};
-use whitecap_scene::{Camera, Scene, Sea, Sky, Technique, named};
+use whitecap_scene::{Camera, Picture, Scene, Sea, Sky, Technique, named};
 
 #[test]
 fn a_scene_says_what_its_file_says() {
@@ -73,6 +73,7 @@ fn a_scene_says_what_its_file_says() {
             tiling: Tiling { cascades: 1, resolution: 64 },
         },
         sky: Sky::Atmosphere(Atmosphere { sun_azimuth_deg: 255.0, ..Atmosphere::default() }),
+        picture: Picture::default(),
         camera: Camera {
             position_m: [0.0, 4.5, 0.0],
             look_at_m: [-200.0, 0.0, 50.0],

@@ -9,7 +9,8 @@ use whitecap_render::technique::meshuggah::normals::{bump_frame, world_from_bump
 use whitecap_tests::adapter::gpu;
 use whitecap_waves::optics::{
     WATER_REFRACTIVE_INDEX, WaterBody, curvature_drop_m, exposure_split, fresnel_exact,
-    fresnel_jensen_golias, visible_cosine, water_color_single_scatter,
+    fresnel_jensen_golias, tone_map_aces, tone_map_agx, tone_map_pbr_neutral, visible_cosine,
+    water_color_single_scatter,
 };
 
 /// Runs `twins.wesl` on inputs of two vectors and gives back four for each.
@@ -76,6 +77,42 @@ fn single_scatter_deep(sun_cos: f64, view_cos: f64) -> f64 {
         sun_cos,
     };
     water_color_single_scatter(view_cos, &body)[0]
+}
+
+#[test]
+fn tone_maps_on_the_gpu_equal_the_cpus() {
+    let Some(gpu) = gpu() else { return };
+    let inputs: Vec<[f32; 4]> = (0..4096)
+        .map(|i| {
+            let light = |step: u32| 1e-4 * 1.25_f32.powi((i * step % 67) as i32);
+            [light(1), light(5), light(11), 0.0]
+        })
+        .collect();
+    let outputs: Vec<[[f32; 4]; 4]> = compute(gpu, &shader_lib::TONE_MAP_TWINS, "cs_run", &inputs);
+    let [mut sum, mut squares] = [0.0; 2];
+    for ([red, green, blue, _], [agx, aces, pbr_neutral, noise]) in inputs.iter().zip(&outputs) {
+        let light = Vec3::new(*red, *green, *blue).as_dvec3();
+        let expected = [
+            ("agx", agx, tone_map_agx(light)),
+            ("aces", aces, tone_map_aces(light)),
+            ("pbr-neutral", pbr_neutral, tone_map_pbr_neutral(light)),
+        ];
+        for (name, seen, expected) in expected {
+            for i in 0..3 {
+                let error = (f64::from(seen[i]) - expected[i]).abs();
+                assert!(error < 2e-5, "{name} of {light}: {seen:?} instead of {expected}");
+            }
+        }
+        for value in &noise[..3] {
+            assert!(value.abs() <= 1.0);
+            sum += f64::from(*value);
+            squares += f64::from(value * value);
+        }
+    }
+    // The difference of two even numbers in [0, 1) has mean 0 and variance 1/6.
+    let count = 3.0 * inputs.len() as f64;
+    assert!((sum / count).abs() < 0.015, "{}", sum / count);
+    assert!((squares / count - 1.0 / 6.0).abs() < 0.01, "{}", squares / count);
 }
 
 /// The reference values of the techniques' texts, as the shader computes them.

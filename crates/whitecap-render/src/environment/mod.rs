@@ -7,6 +7,7 @@ mod clear_sky;
 mod clouds;
 mod cube;
 mod display;
+mod exposure;
 
 pub use cube::{CubeMap, FACE_SIZE, glow};
 pub use display::{display_from_linear, exposed, linear_from_display};
@@ -18,7 +19,7 @@ use glam::{DVec3, Vec3};
 use std::f32::consts::PI;
 use whitecap_scene::panorama::Panorama;
 use whitecap_scene::sky::{Atmosphere as AtmosphereSky, PanoramaSky};
-use whitecap_scene::{Scene, Sky};
+use whitecap_scene::{Picture, Scene, Sky};
 use whitecap_waves::optics::atmosphere;
 
 /// Mean radiance of the sky that exposure 0 EV maps to: a little above middle grey, so that the sky
@@ -45,7 +46,13 @@ pub struct Environment {
     /// Display brightness of the sky against a day's: 1 by day, less from sunset on. Colours that a scene
     /// gives as they look by day are dimmed by it.
     pub daylight: f32,
+    /// What a radiance of 1 kcd/m² becomes in the linear light of a picture whose white is 1, for techniques that draw in
+    /// linear light.
+    pub exposure: f32,
 }
+
+/// Illuminance of the sun outside the atmosphere, klx: the solar constant of 1361 W/m² at 94 lm/W.
+const SUN_KLX: f32 = 128.0;
 
 /// The sun's disc as seen from the water.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,14 +74,20 @@ impl Environment {
     /// When the scene has not read its panorama and the file cannot be read now.
     pub fn new(scene: &Scene) -> Result<Environment, RenderError> {
         match (&scene.sky, &scene.panorama) {
-            (Sky::Atmosphere(settings), _) => Ok(Environment::of_atmosphere(settings, scene.seed)),
-            (Sky::Panorama(settings), Some(picture)) => Ok(Environment::of_panorama(settings, picture)),
-            (Sky::Panorama(settings), None) => Ok(Environment::of_panorama(settings, &settings.load()?)),
+            (Sky::Atmosphere(settings), _) => {
+                Ok(Environment::of_atmosphere(settings, &scene.picture, scene.seed))
+            }
+            (Sky::Panorama(settings), Some(panorama)) => {
+                Ok(Environment::of_panorama(settings, &scene.picture, panorama))
+            }
+            (Sky::Panorama(settings), None) => {
+                Ok(Environment::of_panorama(settings, &scene.picture, &settings.load()?))
+            }
             _ => Err(RenderError::Unsupported { what: "this kind of sky".into() }),
         }
     }
 
-    fn of_atmosphere(settings: &AtmosphereSky, seed: u64) -> Environment {
+    fn of_atmosphere(settings: &AtmosphereSky, picture: &Picture, seed: u64) -> Environment {
         let clear = ClearSky::new(settings);
         let (toward_sun, mean) = (clear.toward_sun, clear.mean);
         let clouds = Clouds::new(&clear, settings.cloud_cover as f32, seed);
@@ -95,15 +108,20 @@ impl Environment {
         Environment {
             cube: CubeMap::bake(|d| expose(sky(d)), sun.as_ref(), 1),
             sun,
+            exposure: exposure::exposure(
+                picture,
+                f64::from(SUN_KLX * (from_sun + PI * mean).dot(LUMINANCE)),
+                settings.exposure_ev,
+            ),
             irradiance: (from_sun + PI * mean) * exposure,
             skylight: mean * exposure,
             daylight: display_from_linear(KEY * dimming) / display_from_linear(KEY),
         }
     }
 
-    fn of_panorama(settings: &PanoramaSky, picture: &Panorama) -> Environment {
+    fn of_panorama(settings: &PanoramaSky, picture: &Picture, panorama: &Panorama) -> Environment {
         let yaw = glam::DQuat::from_rotation_y(settings.yaw_deg.to_radians());
-        let radiance = |d: Vec3| Vec3::from(picture.sample(yaw * d.as_dvec3()));
+        let radiance = |d: Vec3| Vec3::from(panorama.sample(yaw * d.as_dvec3()));
         let (all, without_sun) = means_of_upper_half(&radiance);
         let exposure = exposure(without_sun, settings.exposure_ev);
         // Two by two samples a texel: panoramas are finer than the cube, and the sun is small.
@@ -111,6 +129,7 @@ impl Environment {
         Environment {
             cube,
             sun: None,
+            exposure: exposure::exposure(picture, f64::from(PI * all.dot(LUMINANCE)), settings.exposure_ev),
             irradiance: PI * all * exposure,
             skylight: all * exposure,
             daylight: 1.0,
@@ -258,10 +277,10 @@ mod tests {
         for row in pixels.chunks_mut(width) {
             row[width / 2 - 2..width / 2 + 2].fill([0.6; 3]);
         }
-        let picture = Panorama { width, height, pixels, repaired: 0 };
+        let panorama = Panorama { width, height, pixels, repaired: 0 };
         for (yaw_deg, bearing) in [(0.0, 0.0), (90.0, 90.0), (-120.0, 240.0)] {
             let settings = PanoramaSky { file: "sky.hdr".into(), yaw_deg, exposure_ev: 0.0 };
-            let environment = Environment::of_panorama(&settings, &picture);
+            let environment = Environment::of_panorama(&settings, &Picture::default(), &panorama);
             let bright = seen(&environment, toward(bearing, 5.0), 0);
             for other in [45.0, 135.0, 180.0, 300.0] {
                 assert!(bright > 1.2 * seen(&environment, toward(other, 5.0), 0), "yaw {yaw_deg}");

@@ -93,6 +93,8 @@ shaders! {
     SPECTRAL_OCEAN_VERTICES = "spectral_ocean_vertices";
     /// Every shared function on a buffer of inputs.
     TWINS = "twins";
+    /// The tone maps on a buffer of inputs.
+    TONE_MAP_TWINS = "tone_map_twins";
     /// The sum of sines on a buffer of inputs.
     SINES_TWINS = "sines_twins";
 }

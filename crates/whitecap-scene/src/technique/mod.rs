@@ -89,6 +89,11 @@ impl Technique {
         }
     }
 
+    /// Whether it draws in linear light of the scene, which a tone map brings to the display, and not in display values.
+    pub fn is_scene_linear(&self) -> bool {
+        matches!(self, Self::SpectralOcean(_))
+    }
+
     /// The text that it follows: who, what, where, when.
     pub fn source(&self) -> &'static str {
         match self {

@@ -9,8 +9,10 @@ mod color;
 mod exposure;
 mod fresnel;
 mod geometry;
+mod tone_map;
 
 pub use color::{WATER_REFRACTIVE_INDEX, WaterBody, water_color_lerp, water_color_single_scatter};
 pub use exposure::{MAX_EXPOSURE, exposure_split};
 pub use fresnel::{fresnel_exact, fresnel_jensen_golias};
 pub use geometry::{curvature_drop_m, visible_cosine};
+pub use tone_map::{tone_map_aces, tone_map_agx, tone_map_pbr_neutral};

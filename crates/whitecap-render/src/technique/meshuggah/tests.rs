@@ -10,6 +10,7 @@ use crate::{TargetFormat, gpu::read_buffer};
 use glam::{Vec2, Vec3};
 use wgpu::util::DeviceExt;
 use whitecap_scene::Scene;
+use whitecap_scene::ToneMap;
 
 const TOWARD_SUN: Vec3 = Vec3::new(0.954, 0.3, 0.0);
 
@@ -64,7 +65,7 @@ fn with_backend(
     edit(&mut toml);
     let scene = Scene::from_toml(&toml, "test.toml").unwrap();
     let environment = Environment::new(&scene).unwrap();
-    let shared = Shared::new(device, queue, &environment, TargetFormat::default());
+    let shared = Shared::new(device, queue, &environment, ToneMap::Agx, TargetFormat::default());
     let objects = Objects::new(device, queue, &scene).unwrap();
     let whitecap_scene::Technique::Meshuggah(settings) = &scene.technique else { panic!() };
     let build = Build {

@@ -9,6 +9,7 @@ use crate::shader_lib::{self, layout::assert_layout};
 use crate::uniforms::Shared;
 use crate::{Gpu, TargetFormat, Water};
 use glam::{Vec3, Vec3Swizzles};
+use whitecap_scene::ToneMap;
 use whitecap_scene::{Camera, Scene};
 use whitecap_waves::model::Surface;
 use whitecap_waves::optics::classics::{BumpFrame, HIGHLIGHT_COLOR, ocean_water_pixel};
@@ -181,6 +182,7 @@ fn environment_of(radiance: impl Fn(Vec3) -> Vec3 + Sync) -> Environment {
         irradiance: Vec3::ONE,
         skylight: Vec3::ONE,
         daylight: 1.0,
+        exposure: 1.0,
     }
 }
 
@@ -192,7 +194,7 @@ fn view_of(eye_m: DVec3, toward: DVec3, size_px: [u32; 2]) -> View {
 fn with_technique(scene: &Scene, test: impl FnOnce(&Gpu, OceanWater)) {
     let Some(gpu) = gpu() else { return };
     let (device, queue) = (&gpu.device, &gpu.queue);
-    let shared = Shared::new(device, queue, environment(), TargetFormat::default());
+    let shared = Shared::new(device, queue, environment(), ToneMap::Agx, TargetFormat::default());
     let objects = Objects::new(device, queue, scene).unwrap();
     let whitecap_scene::Technique::OceanWater(settings) = &scene.technique else { panic!() };
     let build = Build::under_white_light(device, queue, scene, &shared, &objects);

@@ -9,6 +9,7 @@ use crate::uniforms::Shared;
 use crate::{TargetFormat, View};
 use glam::{Vec2, Vec2Swizzles, Vec3, Vec4, Vec4Swizzles};
 use whitecap_scene::Scene;
+use whitecap_scene::ToneMap;
 use whitecap_scene::object::Model;
 use whitecap_waves::model::Surface;
 use whitecap_waves::optics::classics::{
@@ -59,7 +60,7 @@ impl<'g> Fixture<'g> {
     fn new(gpu: &'g Gpu, scene: &Scene, models: Vec<Model>) -> Fixture<'g> {
         let (device, queue) = (&gpu.device, &gpu.queue);
         let environment = Environment::new(scene).unwrap();
-        let shared = Shared::new(device, queue, &environment, TargetFormat::default());
+        let shared = Shared::new(device, queue, &environment, ToneMap::Agx, TargetFormat::default());
         let objects = Objects::of_models(device, queue, models, None);
         let lake = Self::lake(gpu, scene, &shared, &objects);
         Fixture { gpu, shared, objects, lake }

@@ -9,6 +9,7 @@ use crate::uniforms::Shared;
 use crate::{TargetFormat, gpu::read_buffer};
 use glam::{DVec3, Vec2};
 use whitecap_scene::Scene;
+use whitecap_scene::ToneMap;
 use whitecap_waves::model::TileFields;
 use whitecap_waves::optics::{WaterBody, water_color_single_scatter};
 
@@ -47,7 +48,7 @@ fn with_technique(scene: &Scene, test: impl FnOnce(&wgpu::Device, &wgpu::Queue, 
     let Some(gpu) = gpu() else { return };
     let (device, queue) = (&gpu.device, &gpu.queue);
     let environment = Environment::new(scene).unwrap();
-    let shared = Shared::new(device, queue, &environment, TargetFormat::default());
+    let shared = Shared::new(device, queue, &environment, ToneMap::Agx, TargetFormat::default());
     let objects = Objects::new(device, queue, scene).unwrap();
     let whitecap_scene::Technique::SpectralOcean(settings) = &scene.technique else { panic!() };
     let build = Build {

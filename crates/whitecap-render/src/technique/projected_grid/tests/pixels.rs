@@ -7,6 +7,7 @@ use crate::gpu::resources::{texture_2d, write_level};
 use crate::pass::planar_tests::{RED, block, is_red};
 use glam::camera::rh::proj::directx::perspective;
 use std::sync::OnceLock;
+use whitecap_scene::ToneMap;
 use whitecap_scene::object::Model;
 use whitecap_waves::optics::classics::{ProjectedGridConstants, projected_grid_pixel};
 
@@ -24,6 +25,7 @@ fn environment() -> &'static Environment {
         irradiance: Vec3::ONE,
         skylight: Vec3::ONE,
         daylight: 1.0,
+        exposure: 1.0,
     })
 }
 
@@ -69,7 +71,7 @@ fn drawn(
     let mut scene = whitecap_scene::open("projected-grid").unwrap();
     level(&mut scene);
     edit(&mut scene);
-    let shared = Shared::new(device, queue, environment(), target);
+    let shared = Shared::new(device, queue, environment(), ToneMap::Agx, target);
     let objects = Objects::of_models(device, queue, models, None);
     let build = Build::under_white_light(device, queue, &scene, &shared, &objects);
     let whitecap_scene::Technique::ProjectedGrid(settings) = &scene.technique else { panic!() };
