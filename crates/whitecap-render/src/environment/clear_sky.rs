@@ -12,7 +12,7 @@ pub(super) struct ClearSky {
     pub(super) toward_sun: Vec3,
     /// Mean radiance, weighted by the cosine of the angle to the zenith: irradiance over π.
     pub(super) mean: Vec3,
-    sky: Sky,
+    pub(super) sky: Sky,
 }
 
 impl ClearSky {

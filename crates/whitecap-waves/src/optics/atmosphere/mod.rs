@@ -145,6 +145,11 @@ impl Atmosphere {
     }
 }
 
+/// Elevation of the horizon that an eye sees, radians: 0 or below.
+pub fn horizon_rad(eye_height_m: f64) -> f64 {
+    horizon_mu(eye_km(eye_height_m)).asin()
+}
+
 fn eye_km(eye_height_m: f64) -> f64 {
     eye_height_m.max(LOWEST_EYE_M) / 1e3
 }

@@ -1,8 +1,7 @@
 //! The sky as one eye sees it, as a table.
 
-use super::shell::horizon_mu;
 use super::table::Table;
-use super::{Atmosphere, eye_km};
+use super::{Atmosphere, horizon_rad};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -27,7 +26,7 @@ pub struct Sky {
 impl Sky {
     /// Computes the table for an eye at `eye_height_m`, up to 60 km.
     pub fn new(air: &Atmosphere, eye_height_m: f64, toward_sun: DVec3) -> Sky {
-        let horizon_rad = horizon_mu(eye_km(eye_height_m)).asin();
+        let horizon_rad = horizon_rad(eye_height_m);
         let table = Table::fill(SIZE, |column, row| {
             let direction = direction(toward_sun, horizon_rad, column, row);
             air.radiance_beside(eye_height_m, direction, toward_sun, row < ROWS_BELOW)
@@ -54,6 +53,11 @@ impl Sky {
         let (rings, spokes) = (64, 64);
         let sum: DVec3 = cosine_weighted(rings, spokes).map(|d| self.radiance(d)).sum();
         PI * sum / f64::from(rings * spokes)
+    }
+
+    /// The table, rows below the horizon first.
+    pub fn table(&self) -> &Table {
+        &self.table
     }
 
     /// Unit vector towards the sun.
