@@ -4,6 +4,10 @@
 /// the features that it is linked with.
 const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::pass::sky", "sky", &[]),
+    ("package::pass::linear_sky", "linear_sky", &[]),
+    ("package::pass::atmosphere::sky_view", "atmosphere_sky_view", &[]),
+    ("package::pass::atmosphere::aerial", "atmosphere_aerial", &[]),
+    ("package::pass::atmosphere::twins", "atmosphere_twins", &[]),
     ("package::pass::objects", "objects", &[]),
     ("package::technique::rippling_lake::rippling_lake", "rippling_lake", &[]),
     ("package::technique::rippling_lake::twins", "rippling_lake_twins", &[]),

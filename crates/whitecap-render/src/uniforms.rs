@@ -2,6 +2,7 @@
 
 use crate::environment::{CubeMap, Environment, FACE_SIZE, SUN_RADIUS_RAD, display_from_linear};
 use crate::gpu::resources::{bind_group, buffer};
+use crate::pass::{Around, Skies, sky_layout_entries};
 use crate::{RenderError, TargetFormat, View};
 use glam::{Mat4, Vec3, Vec4};
 use whitecap_scene::ToneMap;
@@ -182,6 +183,8 @@ pub(crate) struct Shared {
     pub(crate) view_group: wgpu::BindGroup,
     pub(crate) environment_layout: wgpu::BindGroupLayout,
     pub(crate) environment_group: wgpu::BindGroup,
+    /// Each view's group 1 in place of that one, where the light is linear.
+    pub(crate) skies: Option<Skies>,
 }
 
 impl Shared {
@@ -200,14 +203,20 @@ impl Shared {
         });
         let view_group = bind_group(device, "view", &view_layout, [views.binding()]);
 
+        // Tests read the sky in compute passes, as techniques may.
+        let stages = if environment.light.is_some() { stages | wgpu::ShaderStages::COMPUTE } else { stages };
+        let mut entries = vec![
+            texture_entry(0, stages, wgpu::TextureViewDimension::Cube, true),
+            sampler_entry(1, stages),
+            uniform_entry(2, stages),
+            uniform_entry(3, stages),
+        ];
+        if environment.light.is_some() {
+            entries.extend(sky_layout_entries(stages));
+        }
         let environment_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("environment"),
-            entries: &[
-                texture_entry(0, stages, wgpu::TextureViewDimension::Cube, true),
-                sampler_entry(1, stages),
-                uniform_entry(2, stages),
-                uniform_entry(3, stages),
-            ],
+            entries: &entries,
         });
         let cube = upload_cube(device, queue, &environment.cube);
         let sun = upload_sun(device, queue, environment);
@@ -221,11 +230,16 @@ impl Shared {
             mipmap_filter: wgpu::MipmapFilterMode::Linear,
             ..Default::default()
         });
-        use wgpu::BindingResource::{Sampler, TextureView};
-        let resources =
-            [TextureView(&cube), Sampler(&sampler), sun.as_entire_binding(), picture.as_entire_binding()];
-        let environment_group = bind_group(device, "environment", &environment_layout, resources);
-        Shared { target, views, view_layout, view_group, environment_layout, environment_group }
+        let around = Around { cube, sampler, sun, picture };
+        let (skies, environment_group) = match &environment.light {
+            Some(light) => {
+                let skies = Skies::new(device, queue, light, &environment_layout, around);
+                let group = skies.first_group().clone();
+                (Some(skies), group)
+            }
+            None => (None, bind_group(device, "environment", &environment_layout, around.resources())),
+        };
+        Shared { target, views, view_layout, view_group, environment_layout, environment_group, skies }
     }
 
     pub(crate) fn write_views(&self, queue: &wgpu::Queue, views: &[View]) -> Result<(), RenderError> {
@@ -260,7 +274,8 @@ impl Shared {
     pub(crate) fn bind(&self, pass: &mut wgpu::RenderPass<'_>, view: usize, role: Role) {
         let slot = role as usize * MAX_VIEWS + view;
         pass.set_bind_group(0, &self.view_group, &[ViewSlots::<GpuView>::offset(slot)]);
-        pass.set_bind_group(1, &self.environment_group, &[]);
+        let skies = self.skies.as_ref().and_then(|skies| skies.group(view));
+        pass.set_bind_group(1, skies.unwrap_or(&self.environment_group), &[]);
     }
 }
 

@@ -136,11 +136,17 @@ impl Water {
         encoder: &mut wgpu::CommandEncoder,
         views: &[View],
         time_s: f64,
-        timer: Option<&mut PassTimer>,
+        mut timer: Option<&mut PassTimer>,
     ) -> Result<(), RenderError> {
         let Water { shared, objects, technique, .. } = self;
         shared.write_views(queue, views)?;
         objects.prepare(queue, views, time_s);
+        if let Some(skies) = &mut shared.skies {
+            skies.prepare(device, queue, encoder, views);
+            if let Some(timer) = &mut timer {
+                timer.end_of_pass(device, queue, encoder, "atmosphere");
+            }
+        }
         technique.prepare(&mut Frame { device, queue, encoder, views, time_s, shared, objects, timer })
     }
 

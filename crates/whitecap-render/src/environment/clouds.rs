@@ -4,7 +4,7 @@
 //! itself into the streaks of cirrus. It is lit by the sun through the air and by the sky around it, and
 //! thins out towards the horizon, where a flat layer would show its repeat and its edge.
 
-use super::Atmosphere;
+use super::ClearSky;
 use glam::{Vec2, Vec3};
 use std::f32::consts::PI;
 
@@ -22,13 +22,13 @@ pub(super) struct Clouds {
 
 impl Clouds {
     /// `cover` from 0 (none) to 1 (nearly all of the sky).
-    pub(super) fn new(air: &Atmosphere, cover: f32, seed: u64) -> Clouds {
+    pub(super) fn new(clear: &ClearSky, cover: f32, seed: u64) -> Clouds {
         Clouds {
             cover,
             seed: (seed ^ (seed >> 32)) as u32,
-            sun: air.sun_transmittance(HEIGHT_KM),
-            toward_sun: air.toward_sun(),
-            ambient: air.mean_radiance(),
+            sun: clear.sun_transmittance(HEIGHT_KM),
+            toward_sun: clear.toward_sun,
+            ambient: clear.mean,
         }
     }
 
@@ -140,7 +140,8 @@ mod tests {
 
     #[test]
     fn more_cover_means_less_clear_sky() {
-        let air = Atmosphere::new(Vec3::new(0.6, 0.8, 0.0), 1.0);
+        let air =
+            ClearSky::new(&whitecap_scene::sky::Atmosphere { sun_elevation_deg: 53.0, ..Default::default() });
         let clear = Vec3::new(0.1, 0.2, 0.4);
         let mean_change = |cover: f32| {
             let clouds = Clouds::new(&air, cover, 3);

@@ -14,9 +14,10 @@ const FIRST_SMOOTHED_LEVEL: u32 = 3;
 /// The largest radiance kept, well inside a half float.
 const MAX_RADIANCE: f32 = 60_000.0;
 
-/// Six faces and their mip chain, display-referred, as half floats.
+/// Six faces and their mip chain as half floats: display values, or the radiance itself.
 pub struct CubeMap {
-    /// For each level all six faces (+x −x +y −y +z −z), rows downwards, RGBA; alpha is the [`glow`].
+    /// For each level all six faces (+x −x +y −y +z −z), rows downwards, RGBA; alpha is the [`glow`] of display
+    /// values.
     pub levels: Vec<Vec<[f16; 4]>>,
 }
 
@@ -24,41 +25,74 @@ impl CubeMap {
     /// Samples `radiance` (linear, by unit direction) with `across`² samples a texel, adds the sun's
     /// disc by the share of each texel that it covers, and filters the chain in linear light.
     pub fn bake(radiance: impl Fn(Vec3) -> Vec3 + Sync, sun: Option<&Sun>, across: u32) -> CubeMap {
-        let texel = |face: usize, x: u32, y: u32| {
-            let mut sum = Vec3::ZERO;
-            for (i, j) in (0..across).flat_map(|j| (0..across).map(move |i| (i, j))) {
-                let offset = (Vec2::new(i as f32, j as f32) + 0.5) / across as f32;
-                sum += radiance(direction(face, Vec2::new(x as f32, y as f32) + offset, FACE_SIZE));
-            }
-            sum / (across * across) as f32 + sun.map_or(Vec3::ZERO, |sun| sun_in_texel(sun, face, x, y))
+        CubeMap { levels: chain(radiance, sun, across, encode) }
+    }
+
+    /// As [`CubeMap::bake`] without a sun, and with the radiance itself instead of display values; alpha is 1.
+    pub fn bake_linear(radiance: impl Fn(Vec3) -> Vec3 + Sync, across: u32) -> CubeMap {
+        let store =
+            |level: &[Vec3]| level.par_iter().map(|c| c.extend(1.0).to_array().map(f16::from_f32)).collect();
+        CubeMap { levels: chain(radiance, None, across, store) }
+    }
+
+    /// Irradiance of a linear map on a level surface that faces upwards.
+    pub fn irradiance(&self) -> Vec3 {
+        // A level that is a plain mean of the finest, and has edges along the horizon as all have.
+        const LEVEL: usize = 2;
+        let size = FACE_SIZE >> LEVEL;
+        let light = |(i, texel): (usize, &[f16; 4])| {
+            let (face, x, y) = split(i, size);
+            let place = Vec2::new(x as f32, y as f32) + 0.5;
+            let across = place * (2.0 / size as f32) - 1.0;
+            let solid_angle = (2.0 / size as f32).powi(2) / (1.0 + across.length_squared()).powf(1.5);
+            let [r, g, b, _] = texel.map(f16::to_f32);
+            Vec3::new(r, g, b) * (solid_angle * direction(face, place, size).y.max(0.0))
         };
-        let mut level: Vec<Vec3> = (0..6 * FACE_SIZE as usize * FACE_SIZE as usize)
+        self.levels[LEVEL].iter().enumerate().map(light).sum()
+    }
+}
+
+/// Every level's radiance, as `store` keeps it.
+fn chain(
+    radiance: impl Fn(Vec3) -> Vec3 + Sync,
+    sun: Option<&Sun>,
+    across: u32,
+    store: impl Fn(&[Vec3]) -> Vec<[f16; 4]>,
+) -> Vec<Vec<[f16; 4]>> {
+    let texel = |face: usize, x: u32, y: u32| {
+        let mut sum = Vec3::ZERO;
+        for (i, j) in (0..across).flat_map(|j| (0..across).map(move |i| (i, j))) {
+            let offset = (Vec2::new(i as f32, j as f32) + 0.5) / across as f32;
+            sum += radiance(direction(face, Vec2::new(x as f32, y as f32) + offset, FACE_SIZE));
+        }
+        sum / (across * across) as f32 + sun.map_or(Vec3::ZERO, |sun| sun_in_texel(sun, face, x, y))
+    };
+    let mut level: Vec<Vec3> = (0..6 * FACE_SIZE as usize * FACE_SIZE as usize)
+        .into_par_iter()
+        .map(|i| {
+            let (face, x, y) = split(i, FACE_SIZE);
+            texel(face, x, y).clamp(Vec3::ZERO, Vec3::splat(MAX_RADIANCE))
+        })
+        .collect();
+    let mut levels = vec![store(&level)];
+    let mut size = FACE_SIZE;
+    while size > 1 {
+        let finer = Level { size, texels: &level };
+        size /= 2;
+        let smooth = levels.len() as u32 >= FIRST_SMOOTHED_LEVEL;
+        level = (0..6 * (size * size) as usize)
             .into_par_iter()
             .map(|i| {
-                let (face, x, y) = split(i, FACE_SIZE);
-                texel(face, x, y).clamp(Vec3::ZERO, Vec3::splat(MAX_RADIANCE))
+                let (face, x, y) = split(i, size);
+                if smooth { finer.tent(face, x, y) } else { finer.mean(face, x, y) }
             })
             .collect();
-        let mut levels = vec![encode(&level)];
-        let mut size = FACE_SIZE;
-        while size > 1 {
-            let finer = Level { size, texels: &level };
-            size /= 2;
-            let smooth = levels.len() as u32 >= FIRST_SMOOTHED_LEVEL;
-            level = (0..6 * (size * size) as usize)
-                .into_par_iter()
-                .map(|i| {
-                    let (face, x, y) = split(i, size);
-                    if smooth { finer.tent(face, x, y) } else { finer.mean(face, x, y) }
-                })
-                .collect();
-            // The chain goes on from the sharp level; what is stored is rounder, so that a small bright sun
-            // spreads into a glow and not into a texel.
-            let stored = if smooth { Level { size, texels: &level }.blurred() } else { level.clone() };
-            levels.push(encode(&stored));
-        }
-        CubeMap { levels }
+        // The chain goes on from the sharp level; what is stored is rounder, so that a small bright sun
+        // spreads into a glow and not into a texel.
+        let stored = if smooth { Level { size, texels: &level }.blurred() } else { level.clone() };
+        levels.push(store(&stored));
     }
+    levels
 }
 
 struct Level<'a> {
@@ -177,6 +211,13 @@ pub fn glow(radiance: Vec3) -> f32 {
 mod tests {
     use super::super::linear_from_display;
     use super::*;
+
+    #[test]
+    fn a_linear_map_keeps_its_light() {
+        let cube = CubeMap::bake_linear(|_| Vec3::new(0.2, 5.0, 40.0), 1);
+        let irradiance = cube.irradiance() / std::f32::consts::PI;
+        assert!((irradiance / Vec3::new(0.2, 5.0, 40.0) - 1.0).abs().max_element() < 2e-3, "{irradiance}");
+    }
 
     #[test]
     fn locating_undoes_direction_on_every_face() {

@@ -3,23 +3,30 @@
 //! Whatever the scene names (an atmosphere that is computed, a panorama that was photographed)
 //! becomes an [`Environment`]: a prefiltered cube map, and the sun where it is known apart.
 
-mod atmosphere;
+mod clear_sky;
 mod clouds;
 mod cube;
 mod display;
 mod exposure;
+mod light;
+mod panorama_sun;
 
-pub use atmosphere::Atmosphere;
 pub use cube::{CubeMap, FACE_SIZE, glow};
 pub use display::{display_from_linear, exposed, linear_from_display};
+pub(crate) use light::{Air, SUN_KLX};
+pub use light::{Light, SunLight};
 
 use crate::RenderError;
+use clear_sky::ClearSky;
 use clouds::Clouds;
 use glam::{DVec3, Vec3};
+use panorama_sun::PanoramaSun;
 use std::f32::consts::PI;
 use whitecap_scene::panorama::Panorama;
 use whitecap_scene::sky::{Atmosphere as AtmosphereSky, PanoramaSky};
-use whitecap_scene::{Picture, Scene, Sky};
+use whitecap_scene::technique::SpectralOcean;
+use whitecap_scene::{Picture, Scene, Sky, Technique};
+use whitecap_waves::optics::atmosphere;
 
 /// Mean radiance of the sky that exposure 0 EV maps to: a little above middle grey, so that the sky
 /// keeps its colour and the sun's surroundings alone run into white.
@@ -33,7 +40,8 @@ const ADAPTATION: f32 = 0.7;
 
 /// The light around the water, ready for upload.
 pub struct Environment {
-    /// Display-referred radiance from all directions, values above 1 included.
+    /// Radiance from all directions: display-referred with the sun, values above 1 included, or where there is
+    /// [`Environment::light`] in its units without the sun.
     pub cube: CubeMap,
     /// The sun's disc, where it is known apart from the map.
     pub sun: Option<Sun>,
@@ -48,10 +56,9 @@ pub struct Environment {
     /// What a radiance of 1 kcd/m² becomes in the linear light of a picture whose white is 1, for techniques that draw in
     /// linear light.
     pub exposure: f32,
+    /// What belongs to the map for techniques that draw in linear light; `None` where it holds display values.
+    pub light: Option<Light>,
 }
-
-/// Illuminance of the sun outside the atmosphere, klx: the solar constant of 1361 W/m² at 94 lm/W.
-const SUN_KLX: f32 = 128.0;
 
 /// The sun's disc as seen from the water.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,7 +70,7 @@ pub struct Sun {
 }
 
 /// The sun's angular radius seen from Earth, radians (0.2666°).
-pub const SUN_RADIUS_RAD: f32 = 0.004_653;
+pub const SUN_RADIUS_RAD: f32 = atmosphere::SUN_RADIUS_RAD as f32;
 
 impl Environment {
     /// Computes the light of a scene's sky. Takes some tenths of a second on two cores.
@@ -86,36 +93,102 @@ impl Environment {
         }
     }
 
-    fn of_atmosphere(settings: &AtmosphereSky, picture: &Picture, seed: u64) -> Environment {
-        let toward_sun = toward(settings.sun_azimuth_deg, settings.sun_elevation_deg);
-        let air = Atmosphere::new(toward_sun, settings.haze as f32);
-        let clouds = Clouds::new(&air, settings.cloud_cover as f32, seed);
-        // Eyes and cameras follow the light of evening only part of the way down.
-        let light = air.mean_radiance().dot(LUMINANCE).max(1e-9);
-        let dimming = (light / DAYLIGHT).min(1.0).powf(1.0 - ADAPTATION);
-        let exposure = exposure(air.mean_radiance(), settings.exposure_ev) * dimming;
-        let sun = Sun { toward: toward_sun, radiance: air.sun_radiance() * exposure };
-        let sun = (sun.radiance.max_element() > 0.0).then_some(sun);
-        let sky = |direction: Vec3| {
-            let light = if direction.y < 0.0 {
-                below_horizon(direction.y, air.radiance(direction), air.mean_radiance())
-            } else {
-                clouds.over(direction, air.radiance(direction))
-            };
-            light * exposure
+    /// As [`Environment::new`] for techniques that draw in linear light: the map holds radiance, and what display values
+    /// were in `irradiance` and `skylight` is in its units.
+    ///
+    /// # Errors
+    ///
+    /// As [`Environment::new`].
+    pub fn linear(scene: &Scene) -> Result<Environment, RenderError> {
+        let visibility_km = match &scene.technique {
+            Technique::SpectralOcean(settings) => settings.visibility_km,
+            _ => SpectralOcean::default().visibility_km,
         };
-        let from_sun = air.sun_transmittance(0.0) * toward_sun.y.max(0.0);
+        let of_panorama = |settings, panorama: &Panorama| {
+            Environment::linear_of_panorama(settings, &scene.picture, panorama, visibility_km)
+        };
+        match (&scene.sky, &scene.panorama) {
+            (Sky::Atmosphere(settings), _) => {
+                Ok(Environment::linear_of_atmosphere(settings, &scene.picture, scene.seed))
+            }
+            (Sky::Panorama(settings), Some(panorama)) => Ok(of_panorama(settings, panorama)),
+            (Sky::Panorama(settings), None) => Ok(of_panorama(settings, &settings.load()?)),
+            _ => Err(RenderError::Unsupported { what: "this kind of sky".into() }),
+        }
+    }
+
+    fn linear_of_atmosphere(settings: &AtmosphereSky, picture: &Picture, seed: u64) -> Environment {
+        let clear = ClearSky::new(settings);
+        let clouds = Clouds::new(&clear, settings.cloud_cover as f32, seed);
+        let cube = CubeMap::bake_linear(|d| SUN_KLX * cloudy(&clear, &clouds, d), 1);
+        let sun = SunLight {
+            toward: clear.toward_sun,
+            illuminance_klx: SUN_KLX * clear.sun_transmittance(0.0),
+            radius_rad: SUN_RADIUS_RAD,
+        };
+        let sun = (sun.illuminance_klx.max_element() > 0.0).then_some(sun);
+        let has_clouds = settings.cloud_cover > 0.0;
+        let ClearSky { air, sky, .. } = clear;
+        let air = Air::Computed { atmosphere: Box::new(air), sea_level: Box::new(sky), has_clouds };
+        Environment::of_light(cube, sun, air, picture, settings.exposure_ev)
+    }
+
+    fn linear_of_panorama(
+        settings: &PanoramaSky,
+        picture: &Picture,
+        panorama: &Panorama,
+        visibility_km: f64,
+    ) -> Environment {
+        let panorama_from_world = glam::DQuat::from_rotation_y(settings.yaw_deg.to_radians());
+        let sun = PanoramaSun::find(panorama);
+        let radiance = |d: Vec3| {
+            let d = panorama_from_world * d.as_dvec3();
+            let seen = Vec3::from(panorama.sample(d));
+            sun.as_ref().map_or(seen, |sun| sun.without(d, seen))
+        };
+        let cube = CubeMap::bake_linear(radiance, 2);
+        let sun = sun.as_ref().map(|sun| sun.light(panorama_from_world.inverse()));
+        let air = Air::Photographed { visibility_m: (1000.0 * visibility_km) as f32 };
+        Environment::of_light(cube, sun, air, picture, settings.exposure_ev)
+    }
+
+    fn of_light(cube: CubeMap, sun: Option<SunLight>, air: Air, picture: &Picture, ev: f64) -> Environment {
+        let sky_illuminance_klx = cube.irradiance();
+        let from_sun = sun.map_or(Vec3::ZERO, |sun| sun.illuminance_klx * sun.toward.y.max(0.0));
+        let irradiance = sky_illuminance_klx + from_sun;
         Environment {
-            cube: CubeMap::bake(|d| expose(sky(d)), sun.as_ref(), 1),
+            cube,
+            sun: None,
+            irradiance,
+            skylight: sky_illuminance_klx / PI,
+            daylight: 1.0,
+            exposure: exposure::exposure(picture, f64::from(irradiance.dot(LUMINANCE)), ev),
+            light: Some(Light { sun, sky_illuminance_klx, air }),
+        }
+    }
+
+    fn of_atmosphere(settings: &AtmosphereSky, picture: &Picture, seed: u64) -> Environment {
+        let clear = ClearSky::new(settings);
+        let (toward_sun, mean) = (clear.toward_sun, clear.mean);
+        let clouds = Clouds::new(&clear, settings.cloud_cover as f32, seed);
+        // Eyes and cameras follow the light of evening only part of the way down.
+        let dimming = (mean.dot(LUMINANCE).max(1e-9) / DAYLIGHT).min(1.0).powf(1.0 - ADAPTATION);
+        let exposure = exposure(mean, settings.exposure_ev) * dimming;
+        let sun = Sun { toward: toward_sun, radiance: clear.sun_radiance() * exposure };
+        let sun = (sun.radiance.max_element() > 0.0).then_some(sun);
+        let from_sun = clear.sun_transmittance(0.0) * toward_sun.y.max(0.0);
+        Environment {
+            cube: CubeMap::bake(|d| expose(cloudy(&clear, &clouds, d) * exposure), sun.as_ref(), 1),
             sun,
             exposure: exposure::exposure(
                 picture,
-                f64::from(SUN_KLX * (from_sun + PI * air.mean_radiance()).dot(LUMINANCE)),
+                f64::from(SUN_KLX * (from_sun + PI * mean).dot(LUMINANCE)),
                 settings.exposure_ev,
             ),
-            irradiance: (from_sun + PI * air.mean_radiance()) * exposure,
-            skylight: air.mean_radiance() * exposure,
+            irradiance: (from_sun + PI * mean) * exposure,
+            skylight: mean * exposure,
             daylight: display_from_linear(KEY * dimming) / display_from_linear(KEY),
+            light: None,
         }
     }
 
@@ -133,7 +206,17 @@ impl Environment {
             irradiance: PI * all * exposure,
             skylight: all * exposure,
             daylight: 1.0,
+            light: None,
         }
+    }
+}
+
+/// The sky with its clouds, and under the horizon what reflections find there.
+fn cloudy(clear: &ClearSky, clouds: &Clouds, direction: Vec3) -> Vec3 {
+    if direction.y < 0.0 {
+        below_horizon(direction.y, clear.radiance(direction), clear.mean)
+    } else {
+        clouds.over(direction, clear.radiance(direction))
     }
 }
 
@@ -236,7 +319,7 @@ mod tests {
             let environment =
                 Environment::new(&of_toml(&format!("sun_elevation_deg = {elevation:?}"))).unwrap();
             let typical = typical(&environment);
-            assert!((0.2..0.95).contains(&typical), "{typical} with the sun at {elevation}°");
+            assert!((0.18..0.95).contains(&typical), "{typical} with the sun at {elevation}°");
             assert_eq!(environment.sun.is_some(), elevation > -1.0);
         }
         let dark = Environment::new(&of_toml("exposure_ev = -2.0\ncloud_cover = 0.0")).unwrap();
@@ -285,6 +368,69 @@ mod tests {
             for other in [45.0, 135.0, 180.0, 300.0] {
                 assert!(bright > 1.2 * seen(&environment, toward(other, 5.0), 0), "yaw {yaw_deg}");
             }
+        }
+    }
+
+    /// A thousand lux of sky light is a thousand lux of the map, under clouds too.
+    #[test]
+    fn linear_light_is_that_of_the_map() {
+        for sky in
+            ["sun_elevation_deg = 40.0\ncloud_cover = 0.0", "sun_elevation_deg = 5.0\ncloud_cover = 0.6"]
+        {
+            let environment = Environment::linear(&of_toml(sky)).unwrap();
+            let light = environment.light.unwrap();
+            let size = FACE_SIZE as usize;
+            let mut sum = DVec3::ZERO;
+            for (i, texel) in environment.cube.levels[0].iter().enumerate() {
+                let place = glam::Vec2::new((i % size) as f32 + 0.5, (i / size % size) as f32 + 0.5);
+                let cos = cube::direction(i / (size * size), place, FACE_SIZE).y;
+                let across = place * (2.0 / size as f32) - 1.0;
+                let solid_angle = (2.0 / size as f32).powi(2) / (1.0 + across.length_squared()).powf(1.5);
+                let light = DVec3::new(texel[0].to_f64(), texel[1].to_f64(), texel[2].to_f64());
+                sum += light * f64::from(solid_angle * cos.max(0.0));
+            }
+            let error = (light.sky_illuminance_klx.as_dvec3() / sum - 1.0).abs().max_element();
+            assert!(error < 0.02, "{error}");
+            let day = light.sun.unwrap().illuminance_klx.dot(LUMINANCE) * light.sun.unwrap().toward.y;
+            println!("{sky}: sky {}, sun {day} klx", light.sky_illuminance_klx);
+            assert!(environment.sun.is_none());
+        }
+        // Photometers of a clear day: some 60 klx of sun and 15 of sky with the sun at 40°.
+        let clear = Environment::linear(&of_toml("sun_elevation_deg = 40.0\ncloud_cover = 0.0")).unwrap();
+        let light = clear.light.unwrap();
+        let sky_klx = light.sky_illuminance_klx.dot(LUMINANCE);
+        assert!((5.0..20.0).contains(&sky_klx), "{sky_klx}");
+        let sun_klx = light.sun.unwrap().illuminance_klx.dot(LUMINANCE);
+        assert!((70.0..115.0).contains(&sun_klx), "{sun_klx}");
+        assert!(
+            Environment::linear(&of_toml("sun_elevation_deg = -2.0")).unwrap().light.unwrap().sun.is_none()
+        );
+    }
+
+    /// The sea's edge is soft: no step from the sky to what a reflection finds under it.
+    #[test]
+    fn the_map_is_smooth_across_the_horizon() {
+        let environment = Environment::linear(&of_toml("sun_elevation_deg = 20.0")).unwrap();
+        for bearing in [0.0, 100.0, 240.0] {
+            let [above, below] = [0.1, -0.1].map(|e| seen(&environment, toward(bearing, e), 0));
+            assert!((above / below - 1.0).abs() < 0.05, "{above} {below}");
+        }
+    }
+
+    /// Turned with the panorama, the sun goes where the picture of it goes.
+    #[test]
+    fn the_sun_of_a_panorama_turns_with_the_compass() {
+        let panorama = panorama_sun::with_disc(toward(10.0, 30.0).as_dvec3(), 2.0, 5e4);
+        for (yaw_deg, bearing) in [(0.0, 10.0), (90.0, 100.0), (-130.0, 240.0)] {
+            let settings = PanoramaSky { file: "sky.hdr".into(), yaw_deg, exposure_ev: 0.0 };
+            let environment =
+                Environment::linear_of_panorama(&settings, &Picture::default(), &panorama, 25.0);
+            let light = environment.light.as_ref().unwrap();
+            let off_rad = light.sun.unwrap().toward.distance(toward(bearing, 30.0));
+            assert!(off_rad < 0.2_f32.to_radians(), "{off_rad}");
+            assert!(seen(&environment, toward(bearing, 30.0), 0) < 17.0);
+            // The sky of radiance 2 remains.
+            assert!((light.sky_illuminance_klx / (2.0 * PI) - 1.0).abs().max_element() < 0.02);
         }
     }
 }

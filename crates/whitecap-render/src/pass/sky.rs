@@ -15,7 +15,7 @@ impl SkyPass {
     pub(crate) fn new(device: &wgpu::Device, shared: &Shared, target: &TargetFormat) -> SkyPass {
         let request = PipelineRequest {
             label: "sky",
-            shader: &shader_lib::SKY,
+            shader: if shared.skies.is_some() { &shader_lib::LINEAR_SKY } else { &shader_lib::SKY },
             groups: &[Some(&shared.view_layout), Some(&shared.environment_layout)],
             vertices: &[],
             color: target.color,

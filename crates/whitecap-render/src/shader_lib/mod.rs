@@ -30,6 +30,14 @@ macro_rules! shaders {
 shaders! {
     /// The sky behind everything.
     SKY = "sky";
+    /// The sky in linear light.
+    LINEAR_SKY = "linear_sky";
+    /// A view's table of the sky.
+    ATMOSPHERE_SKY_VIEW = "atmosphere_sky_view";
+    /// A view's table of the air before things.
+    ATMOSPHERE_AERIAL = "atmosphere_aerial";
+    /// What pixel stages ask the sky for, on a buffer of inputs.
+    ATMOSPHERE_TWINS = "atmosphere_twins";
     /// What stands or floats in the water.
     OBJECTS = "objects";
     /// ATI's lake.

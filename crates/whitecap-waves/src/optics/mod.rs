@@ -1,8 +1,9 @@
-//! What the water's surface and its volume do to light.
+//! What the water's surface, its volume and the air do to light.
 //!
 //! Each function is the f64 twin of a shader function of the same name, so that a test can hold one against
 //! the other.
 
+pub mod atmosphere;
 pub mod classics;
 mod color;
 mod exposure;

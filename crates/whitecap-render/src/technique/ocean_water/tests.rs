@@ -183,6 +183,7 @@ fn environment_of(radiance: impl Fn(Vec3) -> Vec3 + Sync) -> Environment {
         skylight: Vec3::ONE,
         daylight: 1.0,
         exposure: 1.0,
+        light: None,
     }
 }
 

@@ -26,6 +26,7 @@ fn environment() -> &'static Environment {
         skylight: Vec3::ONE,
         daylight: 1.0,
         exposure: 1.0,
+        light: None,
     })
 }
 

@@ -1,0 +1,51 @@
+//! The light around in the scene's own measure, for techniques that draw in linear light.
+
+use glam::Vec3;
+use whitecap_waves::optics::atmosphere::{Atmosphere, Sky};
+
+/// The sun's illuminance outside the air, klx: the solar constant of 1361 W/m² at 94 lm/W. It counts as white, the same in
+/// each channel; luminance is 0.2126 R + 0.7152 G + 0.0722 B.
+pub(crate) const SUN_KLX: f32 = 128.0;
+
+/// The light that an [`Environment`](super::Environment) without display values adds to its map. The map is without the
+/// sun's disc.
+///
+/// Under an atmosphere the units are kcd/m² and klx. A panorama keeps those of its file, which few files state: what is
+/// called kcd/m² is then whatever the picture holds.
+pub struct Light {
+    /// The sun's disc; none after sunset, nor under a panorama without a peak that could be one.
+    pub sun: Option<SunLight>,
+    /// Illuminance of the sky on a level sea, with clouds and without the sun.
+    pub sky_illuminance_klx: Vec3,
+    /// The air, for what is seen through it.
+    pub(crate) air: Air,
+}
+
+/// The sun as the sea sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SunLight {
+    /// Unit vector towards its centre.
+    pub toward: Vec3,
+    /// Illuminance at sea level on a surface that faces it.
+    pub illuminance_klx: Vec3,
+    /// Angular radius, radians.
+    pub radius_rad: f32,
+}
+
+/// What the air between the eye and the sea is known by.
+pub(crate) enum Air {
+    /// All that scatters in it.
+    Computed {
+        /// Its tables.
+        atmosphere: Box<Atmosphere>,
+        /// The clear sky from sea level, to which the map adds the clouds.
+        sea_level: Box<Sky>,
+        /// Whether it adds any.
+        has_clouds: bool,
+    },
+    /// How far one sees through it.
+    Photographed {
+        /// Meteorological visibility, metres.
+        visibility_m: f32,
+    },
+}
