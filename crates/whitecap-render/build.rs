@@ -9,6 +9,7 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::pass::atmosphere::aerial", "atmosphere_aerial", &[]),
     ("package::pass::atmosphere::twins", "atmosphere_twins", &[]),
     ("package::pass::objects", "objects", &[]),
+    ("package::pass::objects", "linear_objects", &["linear"]),
     ("package::technique::rippling_lake::rippling_lake", "rippling_lake", &[]),
     ("package::technique::rippling_lake::twins", "rippling_lake_twins", &[]),
     ("package::technique::meshuggah::meshuggah", "meshuggah", &[]),
@@ -51,7 +52,9 @@ fn main() {
     println!("cargo::rerun-if-changed=src");
     for (root, name, features) in ROOTS {
         let mut linker = wesl::Wesl::new("src");
-        linker.set_feature("per_sample", false);
+        for feature in ["per_sample", "linear"] {
+            linker.set_feature(feature, false);
+        }
         for feature in *features {
             linker.set_feature(feature, true);
         }

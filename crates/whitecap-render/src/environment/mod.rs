@@ -73,12 +73,16 @@ pub struct Sun {
 pub const SUN_RADIUS_RAD: f32 = atmosphere::SUN_RADIUS_RAD as f32;
 
 impl Environment {
-    /// Computes the light of a scene's sky. Takes some tenths of a second on two cores.
+    /// Computes the light of a scene's sky, in linear light or in display values as its technique draws. Takes some tenths
+    /// of a second on two cores.
     ///
     /// # Errors
     ///
     /// When the scene has not read its panorama and the file cannot be read now.
     pub fn new(scene: &Scene) -> Result<Environment, RenderError> {
+        if scene.technique.is_scene_linear() {
+            return Environment::linear(scene);
+        }
         match (&scene.sky, &scene.panorama) {
             (Sky::Atmosphere(settings), _) => {
                 Ok(Environment::of_atmosphere(settings, &scene.picture, scene.seed))
@@ -99,7 +103,7 @@ impl Environment {
     /// # Errors
     ///
     /// As [`Environment::new`].
-    pub fn linear(scene: &Scene) -> Result<Environment, RenderError> {
+    pub(crate) fn linear(scene: &Scene) -> Result<Environment, RenderError> {
         let visibility_km = match &scene.technique {
             Technique::SpectralOcean(settings) => settings.visibility_km,
             _ => SpectralOcean::default().visibility_km,

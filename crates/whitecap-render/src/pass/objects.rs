@@ -122,7 +122,7 @@ impl ObjectPass {
         let attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3];
         let request = PipelineRequest {
             label: "objects",
-            shader: &shader_lib::OBJECTS,
+            shader: if shared.skies.is_some() { &shader_lib::LINEAR_OBJECTS } else { &shader_lib::OBJECTS },
             groups: &[Some(&shared.view_layout), Some(&shared.environment_layout), Some(&objects.layout)],
             vertices: &[Some(wgpu::VertexBufferLayout {
                 array_stride: size_of::<GpuVertex>() as u64,

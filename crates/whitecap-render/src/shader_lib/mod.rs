@@ -40,6 +40,8 @@ shaders! {
     ATMOSPHERE_TWINS = "atmosphere_twins";
     /// What stands or floats in the water.
     OBJECTS = "objects";
+    /// The same in linear light.
+    LINEAR_OBJECTS = "linear_objects";
     /// ATI's lake.
     RIPPLING_LAKE = "rippling_lake";
     /// Both stages of the lake on buffers of inputs.

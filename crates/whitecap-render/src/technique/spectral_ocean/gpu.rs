@@ -51,6 +51,8 @@ pub(super) struct GpuWaters {
     pub(super) sun_klx: [f32; 3],
     pub(super) padding: u32,
     pub(super) sky_klx: [f32; 3],
+    pub(super) sun_radius_rad: f32,
+    pub(super) toward_sun: [f32; 3],
     pub(super) end: u32,
 }
 

@@ -13,7 +13,7 @@ mod visible;
 
 use super::{Build, Frame, Technique, wrong_sea};
 use crate::RenderError;
-use crate::environment::Light;
+use crate::environment::{Light, SUN_RADIUS_RAD};
 use crate::geometry::NestedGrid;
 use crate::shader_lib::GpuWaterLight;
 use crate::surface::{FoamMaps, TileMaps, Vertices};
@@ -25,8 +25,8 @@ use roughness::Roughness;
 use visible::Wedge;
 use whitecap_scene::sea::SeaSurface;
 use whitecap_scene::technique as settings;
-use whitecap_waves::model::WaveModel;
 use whitecap_waves::model::spectral::foam::{DECAY_S, Foam, FoamParameters};
+use whitecap_waves::model::{Surface, WaveModel};
 use whitecap_waves::optics::water_body::{Daylight, WaterLight};
 
 /// The apron reaches this far, metres: beyond the horizon of a viewer at 100 km.
@@ -189,6 +189,8 @@ fn waters(
         sun_klx: sun_klx.to_array(),
         padding: 0,
         sky_klx: light.sky_illuminance_klx.to_array(),
+        sun_radius_rad: light.sun.map_or(SUN_RADIUS_RAD, |sun| sun.radius_rad),
+        toward_sun: daylight.toward_sun.as_vec3().to_array(),
         end: 0,
     }
 }

@@ -11,7 +11,6 @@ use glam::{DVec3, Vec2};
 use whitecap_scene::Scene;
 use whitecap_scene::ToneMap;
 use whitecap_waves::model::TileFields;
-use whitecap_waves::optics::{WaterBody, water_color_single_scatter};
 
 #[test]
 fn rust_and_wgsl_agree_about_layout() {
@@ -20,23 +19,19 @@ fn rust_and_wgsl_agree_about_layout() {
         GpuSpectralOcean,
         wgsl,
         "GpuSpectralOcean",
-        [
-            level_origins,
-            cascades,
-            scattered_light,
-            sun_cos,
-            cell_m,
-            eye_height_m,
-            earth_radius_m,
-            visibility_m,
-            cascade_count,
-        ]
+        [level_origins, cascades, cell_m, eye_height_m, earth_radius_m, cascade_count, foam,]
+    );
+    assert_layout!(
+        GpuWaters,
+        wgsl,
+        "GpuWaters",
+        [light, slopes_beyond, depth_m, sun_klx, sky_klx, sun_radius_rad, toward_sun]
     );
     assert_layout!(
         GpuCascade,
         wgsl,
         "GpuCascade",
-        [eye_in_tile, tiles_per_m, samples, fade_start_m, fade_end_m, half_texel]
+        [eye_in_tile, tiles_per_m, samples, fade_start_m, fade_end_m, half_texel, slope_shape]
     );
 }
 
@@ -52,7 +47,7 @@ fn with_technique(scene: &Scene, test: impl FnOnce(&wgpu::Device, &wgpu::Queue, 
     let objects = Objects::new(device, queue, scene).unwrap();
     let whitecap_scene::Technique::SpectralOcean(settings) = &scene.technique else { panic!() };
     let build = Build {
-        toward_sun: Vec3::new(0.954, 0.3, 0.0),
+        light: environment.light.as_ref(),
         ..Build::under_white_light(device, queue, scene, &shared, &objects)
     };
     test(device, queue, SpectralOcean::new(&build, settings).unwrap());
@@ -84,7 +79,8 @@ fn read_vertices(
     grid: &[[f32; 4]],
 ) -> Vec<[f32; 4]> {
     let layout = group_layout(device);
-    let group = ocean_group(device, &layout, &technique.tiles, &technique.slots);
+    let waters = buffer(device, queue, "waters", &[0; size_of::<GpuWaters>()], wgpu::BufferUsages::UNIFORM);
+    let group = ocean_group(device, &layout, &technique.tiles, &technique.foam, &waters, &technique.slots);
     technique.slots.write(queue, 3, &technique.uniforms(view));
     let entry = |binding, read_only| wgpu::BindGroupLayoutEntry {
         binding,
@@ -310,25 +306,4 @@ fn the_maps_lie_where_the_samples_lie() {
             }
         }
     });
-}
-
-/// The shader divides by the two cosines; with them it is the text's integral.
-#[test]
-fn scattered_light_is_single_scattering() {
-    let settings = whitecap_scene::technique::SpectralOcean::default();
-    let (sun_cos, view_cos, n2) = (0.4_f64, 0.7_f64, WATER_REFRACTIVE_INDEX * WATER_REFRACTIVE_INDEX);
-    let refracted = |c: f64| (1.0 - (1.0 - c * c) / n2).sqrt();
-    // A level irradiance of 1 falls on a plane across the ray as 1/μs.
-    let body = WaterBody {
-        scattering_per_m: settings.scattering_per_m.map(|b| b / (4.0 * std::f64::consts::PI * n2)),
-        extinction_per_m: settings.extinction_per_m,
-        depth_m: f64::INFINITY,
-        sun_irradiance: [1.0 / refracted(sun_cos); 3],
-        sun_cos,
-    };
-    let expected = water_color_single_scatter(view_cos, &body);
-    let light = scattered_light(&settings, Vec3::ONE) / (refracted(sun_cos) + refracted(view_cos)) as f32;
-    for (seen, expected) in light.to_array().into_iter().zip(expected) {
-        assert!((f64::from(seen) / expected - 1.0).abs() < 1e-5, "{seen} instead of {expected}");
-    }
 }
