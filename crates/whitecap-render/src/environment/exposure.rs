@@ -6,14 +6,14 @@
 //! | E | illuminance that falls on a level sea | lx |
 //!
 //! A camera at EV100 shows a luminance of 1.2 · 2^EV100 cd/m² as white (ISO 12232, saturation-based speed, lens
-//! transmittance 0.65: 78/(100 · 0.65)). A light meter with a dome sets EV100 = log₂(100 E/C), C = 250 (ISO 2720).
+//! transmittance 0.65: 78/(100 · 0.65)). A light meter with a dome sets EV100 = log₂(100 E/C), C = 340 (ISO 2720).
 
 use whitecap_scene::Picture;
 
 /// Luminance of white at EV100 = 0, kcd/m².
 const WHITE_KCD_PER_M2: f64 = 1.2e-3;
-/// The constant of a light meter with a dome, lx s.
-const METER_LX: f64 = 250.0;
+/// The constant of a light meter with a dome; ISO 2720 allows 320 to 540.
+const METER_LX: f64 = 340.0;
 /// From this illuminance on it is day: a sun some degrees high.
 const DAYLIGHT_LX: f64 = 8000.0;
 /// How much of the way a picture follows the light below that: evenings are to be seen, and to look like evenings.
