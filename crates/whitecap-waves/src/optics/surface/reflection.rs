@@ -56,9 +56,16 @@ pub fn sea_reflection(slopes: &Slopes, facets: &VisibleFacets, toward_eye: DVec3
     let taps: [ReflectionTap; 3] = std::array::from_fn(|i| {
         let slope = mean + TAP_SPACING * (facets.reflecting_slopes[i] - mean);
         let weight = facets.mean_fresnel * facets.reflecting_weights[i];
-        tap(slopes, facets, toward_eye, n, sea_variance, slope, blur, weight)
+        tap(slopes, facets, toward_eye, n, sea_variance, &Lobe { slope, blur, weight })
     });
     SeaReflection { taps, water_weight: 1.0 - taps.iter().map(|tap| tap.weight).sum::<f64>() }
+}
+
+/// Facets that reflect as one: their slope towards the eye, its deviation, and what they reflect.
+struct Lobe {
+    slope: f64,
+    blur: f64,
+    weight: f64,
 }
 
 fn tap(
@@ -67,18 +74,17 @@ fn tap(
     toward_eye: DVec3,
     n: f64,
     sea_variance: f64,
-    a: f64,
-    blur: f64,
-    weight: f64,
+    lobe: &Lobe,
 ) -> ReflectionTap {
     let toward = facets.toward;
+    let a = lobe.slope;
     let b = facets.across_slope + facets.across_per_slope * a;
     let facet = DVec3::new(a * toward.x - b * toward.y, 1.0, a * toward.y + b * toward.x).normalize();
     let cos = toward_eye.dot(facet);
     let reflected = 2.0 * cos * facet - toward_eye;
 
     let tilt = 1.0 + a * a;
-    let along = (2.0 * blur / tilt).max(1e-4);
+    let along = (2.0 * lobe.blur / tilt).max(1e-4);
     let across = 2.0 * cos.abs() * (facets.across_variance / tilt).sqrt();
 
     // The part of the blurred tap above the horizon, and its elevation times that part: those of a cubic ramp and a
@@ -104,7 +110,7 @@ fn tap(
     let spread = along * along * (1.0 - share) + share * 4.0 * 0.4292 * sea_variance;
     ReflectionTap {
         toward: DVec3::new(horizontal.x * length, elevation, horizontal.y * length),
-        weight: weight * reached,
+        weight: lobe.weight * reached,
         spread_along_rad: spread.sqrt(),
         spread_across_rad: across,
     }

@@ -5,28 +5,28 @@ use crate::optics::fresnel_exact;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
-pub const N: f64 = 1.34;
+pub(super) const N: f64 = 1.34;
 
-pub fn slopes(xx: f64, xz: f64, zz: f64, mean: DVec2) -> Slopes {
+pub(super) fn slopes(xx: f64, xz: f64, zz: f64, mean: DVec2) -> Slopes {
     Slopes { mean, covariance: SlopeCovariance { xx, xz, zz } }
 }
 
-pub fn isotropic(deviation: f64) -> Slopes {
+pub(super) fn isotropic(deviation: f64) -> Slopes {
     slopes(deviation * deviation, 0.0, deviation * deviation, DVec2::ZERO)
 }
 
 /// Towards an eye whose ray meets the vertical at `degrees`, in the south-east.
-pub fn eye(degrees: f64) -> DVec3 {
+pub(super) fn eye(degrees: f64) -> DVec3 {
     let (sine, cosine) = degrees.to_radians().sin_cos();
     DVec3::new(0.8 * sine, cosine, 0.6 * sine)
 }
 
-pub fn facet(slope: DVec2) -> DVec3 {
+pub(super) fn facet(slope: DVec2) -> DVec3 {
     DVec3::new(-slope.x, 1.0, -slope.y)
 }
 
 /// Calls `each` with slopes over the plane and their share of it.
-pub fn over_slopes(slopes: &Slopes, mut each: impl FnMut(DVec2, f64)) {
+pub(super) fn over_slopes(slopes: &Slopes, mut each: impl FnMut(DVec2, f64)) {
     let c = slopes.covariance;
     // Cholesky's factors of C.
     let first = c.xx.max(1e-16).sqrt();
@@ -44,7 +44,7 @@ pub fn over_slopes(slopes: &Slopes, mut each: impl FnMut(DVec2, f64)) {
 
 /// Means over what is seen: of the Fresnel reflectance, of F times the share of light that escapes at once, and of
 /// the slope.
-pub fn visible_means(slopes: &Slopes, toward_eye: DVec3) -> (f64, f64, DVec2) {
+pub(super) fn visible_means(slopes: &Slopes, toward_eye: DVec3) -> (f64, f64, DVec2) {
     let (mut seen, mut fresnel, mut single, mut slope) = (0.0, 0.0, 0.0, DVec2::ZERO);
     let eye_lambda = lambda(slopes, toward_eye);
     over_slopes(slopes, |zeta, share| {
@@ -65,7 +65,7 @@ pub fn visible_means(slopes: &Slopes, toward_eye: DVec3) -> (f64, f64, DVec2) {
 }
 
 /// Smith's Λ, negative below the horizon, where Λ(−ω) = −1 − Λ(ω).
-pub fn lambda(slopes: &Slopes, ray: DVec3) -> f64 {
+fn lambda(slopes: &Slopes, ray: DVec3) -> f64 {
     let horizontal = DVec2::new(ray.x, ray.z);
     let mean = ray.y - horizontal.dot(slopes.mean);
     let deviation = slopes.covariance.between(horizontal, horizontal).sqrt().max(1e-12);
@@ -75,10 +75,10 @@ pub fn lambda(slopes: &Slopes, ray: DVec3) -> f64 {
 }
 
 /// Uniform numbers in 0..1 (SplitMix64, Steele et al. 2014).
-pub struct Random(pub u64);
+struct Random(u64);
 
 impl Random {
-    pub fn uniform(&mut self) -> f64 {
+    fn uniform(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut x = self.0;
         x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -95,7 +95,7 @@ impl Random {
 
 /// The light that many reflections on a surface by Smith bring to the eye of a sky of radiance `sky`, by the random
 /// walk of Heitz, Hanika, d'Eon and Dachsbacher (*ACM Trans. Graph.* 35, 2016). What enters the water is lost.
-pub fn walked(slopes: &Slopes, toward_eye: DVec3, walks: u32, sky: impl Fn(DVec3) -> f64) -> f64 {
+pub(super) fn walked(slopes: &Slopes, toward_eye: DVec3, walks: u32, sky: impl Fn(DVec3) -> f64) -> f64 {
     let mut random = Random(7);
     let c = slopes.covariance;
     let first = c.xx.sqrt();
