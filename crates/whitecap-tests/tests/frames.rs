@@ -183,7 +183,8 @@ fn a_thousand_kilometres_from_the_origin_nothing_trembles() {
         let there = frame(gpu, &mut water, &target, look(eye + shift_m, toward), 3.0, true);
         let unequal = here.iter().zip(&there).filter(|(a, b)| a.abs_diff(**b) > 2).count();
         let word = scene.technique.word();
-        assert!(unequal * 500 < here.len(), "{word}: {unequal} of {} values differ", here.len());
+        // Foam's edges and the sun's glints are sharp, and a rounding of 1e-7 tiles moves them.
+        assert!(unequal * 250 < here.len(), "{word}: {unequal} of {} values differ", here.len());
     }
 }
 
@@ -407,10 +408,15 @@ fn no_setting_of_the_ocean_is_without_effect() {
     };
     let before = render(base);
     let changes = [
-        ("scattering_per_m = [0.007,", "scattering_per_m = [0.07,"),
-        ("extinction_per_m = [0.36,", "extinction_per_m = [0.1,"),
-        ("visibility_km = 16.0", "visibility_km = 3.0"),
-        ("visibility_km = 16.0", "visibility_km = 16.0\ncurvature_radius_km = 20.0"),
+        ("water = \"jerlov-ib\"", "water = \"jerlov-5c\""),
+        ("water = \"jerlov-ib\"", "scattering_per_m = [0.07, 0.1, 0.1]"),
+        ("water = \"jerlov-ib\"", "absorption_per_m = [0.4, 0.1, 0.3]"),
+        ("water = \"jerlov-ib\"", "water = \"jerlov-ib\"\ncurvature_radius_km = 20.0"),
+        ("[camera]", "[picture]\nexposure_ev100 = 12.0\n\n[camera]"),
+        ("[camera]", "[picture]\ntone_map = \"aces\"\n\n[camera]"),
+        ("[camera]", "[picture]\ntone_map = \"pbr-neutral\"\n\n[camera]"),
+        ("[camera]", "[picture]\ntone_map = \"none\"\n\n[camera]"),
+        ("model = \"spectral\"", "model = \"spectral\"\ndepth_m = 3.0"),
         ("model = \"spectral\"", "model = \"spectral\"\ncascades = 1"),
         ("model = \"spectral\"", "model = \"spectral\"\ncascades = 3"),
         ("model = \"spectral\"", "model = \"spectral\"\nresolution = 128"),

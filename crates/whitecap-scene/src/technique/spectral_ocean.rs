@@ -1,6 +1,5 @@
 //! Settings of the spectral ocean: a sea of several tiles under physical optics.
 
-use crate::error::SceneError;
 use whitecap_waves::optics::water_body::{JerlovType, WaterOptics};
 
 use crate::key::{Colour, OneOf, Real, optional, or, table, words};
@@ -9,7 +8,7 @@ use crate::registry::Registered;
 use crate::sea::Tiling;
 
 use super::Technique;
-use super::water_body::PER_METRE;
+use super::water_body::{CLEAREST_SCATTERING_PER_M, PER_METRE, PURE_ABSORPTION_PER_M};
 
 /// What it follows.
 pub(super) const SOURCE: &str = "whitecap's own; it follows no single text. The sea is that of Tessendorf, Simulating Ocean Water, 2001, \
@@ -27,7 +26,7 @@ pub(super) const REGISTERED: Registered<Technique> = Registered {
     word: "spectral-ocean",
     summary: "a calibrated sea of several tiles to the horizon, by exact Fresnel over scattering water",
     keys: SpectralOcean::keys,
-    read: |table| SpectralOcean::read_checked(table).map(Technique::SpectralOcean),
+    read: |table| SpectralOcean::read(table).map(Technique::SpectralOcean),
 };
 
 words! {
@@ -78,10 +77,12 @@ table! {
     pub struct SpectralOcean {
         /// What is in the water: one of the types of Jerlov (1976), from the clearest ocean to turbid coasts.
         water: WaterType = or(OneOf::WORDS, WaterType::Ib);
-        /// How much light the water absorbs per metre, in place of `water`, with `scattering_per_m`.
-        absorption_per_m: Option<[f64; 3]> = optional(PER_METRE, "that of `water`");
-        /// How much light the water scatters per metre, in place of `water`, with `absorption_per_m`.
-        scattering_per_m: Option<[f64; 3]> = optional(PER_METRE, "that of `water`");
+        /// How much light the water absorbs per metre, in place of `water`.
+        absorption_per_m: Option<[f64; 3]> =
+            optional(PER_METRE, "pure water beside `scattering_per_m`, otherwise that of `water`");
+        /// How much light the water scatters per metre, in place of `water`.
+        scattering_per_m: Option<[f64; 3]> =
+            optional(PER_METRE, "pure sea water beside `absorption_per_m`, otherwise that of `water`");
         /// What a bottom at `sea.depth_m` returns of the light on it: 0.4 and more is white sand.
         bottom_albedo: [f64; 3] = or(Colour { unit: "", min: 0.0, max: 1.0 }, [0.35, 0.33, 0.27]);
         /// How far one sees through the air under a panorama: where 2 % of the contrast is left. An atmosphere has its own,
@@ -93,30 +94,14 @@ table! {
 }
 
 impl SpectralOcean {
-    fn read_checked(table: &TableReader<'_>) -> Result<Self, SceneError> {
-        let settings = Self::read(table)?;
-        if settings.absorption_per_m.is_some() != settings.scattering_per_m.is_some() {
-            let (there, missing) = match settings.absorption_per_m {
-                Some(_) => ("absorption_per_m", "scattering_per_m"),
-                None => ("scattering_per_m", "absorption_per_m"),
-            };
-            return Err(table
-                .error(Some(there), format!("needs {missing} beside it; accepted: both, or `water` alone")));
-        }
-        if settings.absorption_per_m.is_some() && table.has("water") {
-            return Err(table.error(
-                Some("water"),
-                "stands beside absorption_per_m and scattering_per_m; accepted: either".to_owned(),
-            ));
-        }
-        Ok(settings)
-    }
-
     /// The water's optics.
     pub fn optics(&self) -> WaterOptics {
         match (self.absorption_per_m, self.scattering_per_m) {
-            (Some(absorption), Some(scattering)) => WaterOptics::from_coefficients(absorption, scattering),
-            _ => WaterOptics::from(self.water.jerlov()),
+            (None, None) => WaterOptics::from(self.water.jerlov()),
+            (absorption, scattering) => WaterOptics::from_coefficients(
+                absorption.unwrap_or(PURE_ABSORPTION_PER_M),
+                scattering.unwrap_or(CLEAREST_SCATTERING_PER_M),
+            ),
         }
     }
 }

@@ -13,6 +13,9 @@ pub(super) const CLEAREST_SCATTERING_PER_M: [f64; 3] = [0.000_93, 0.001_91, 0.00
 /// … and pure water absorbs (Pope & Fry 1997); extinction is the sum of the two.
 pub(super) const CLEAREST_EXTINCTION_PER_M: [f64; 3] = [0.341, 0.058_4, 0.013_8];
 
+/// What pure water absorbs at 650, 550 and 450 nm (Pope & Fry 1997).
+pub(super) const PURE_ABSORPTION_PER_M: [f64; 3] = [0.340, 0.056_5, 0.009_22];
+
 /// Refuses water that scatters more light than it takes out of a ray.
 pub(super) fn check(
     table: &TableReader<'_>,

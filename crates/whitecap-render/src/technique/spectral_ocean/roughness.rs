@@ -76,7 +76,7 @@ mod tests {
     }
 
     const WEST_WIND: &str = "technique = \"spectral-ocean\"\n[[sea.system]]\nspectrum = \"jonswap\"\n\
-        wind_speed_mps = 8.0\nfetch_km = 100.0\nfrom_deg = 270.0\nspreading = \"hasselmann\"\n\
+        wind_speed_mps = 8.0\nfetch_km = 100.0\nfrom_deg = 270.0\nspreading = { cos2s = 8.0 }\n\
         [camera]\nposition_m = [0, 5, 0]\nlook_at_m = [100, 0, 0]";
 
     #[test]
