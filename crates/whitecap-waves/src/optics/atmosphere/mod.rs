@@ -36,7 +36,7 @@ pub const SUN_RADIUS_RAD: f64 = 0.004_653;
 pub const LOWEST_EYE_M: f64 = 1.0;
 
 /// Steps along a ray of [`Atmosphere::radiance`].
-const STEPS: u32 = 48;
+const STEPS: u32 = 40;
 
 /// The air: what of it does not depend on where the sun and the eye are.
 #[derive(Clone, Debug)]
