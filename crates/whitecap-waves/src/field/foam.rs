@@ -21,7 +21,7 @@ const BENT: f64 = 0.012;
 /// A mip chain of ranks; see [`foam_drawn`](crate::optics::foam_drawn).
 ///
 /// Each level is ranked for itself, so its mean is kept at every distance, and says what share of the structure is left
-/// in it: the standard deviation of the averaged field over that of the first level.
+/// in it: the variance of the averaged field over that of the first level.
 pub struct FoamStructure {
     size: usize,
     levels: Vec<Vec<[u8; 2]>>,
@@ -94,12 +94,13 @@ impl Points {
 }
 
 fn ranked_levels(mut field: Vec<f32>, size: usize) -> Vec<Vec<[u8; 2]>> {
-    let deviation = |field: &[f32]| crate::statistics::Moments::of(field).variance.sqrt();
-    let whole = deviation(&field);
+    let variance = |field: &[f32]| crate::statistics::Moments::of(field).variance;
+    let whole = variance(&smoothed(&field, size));
     let (mut levels, mut side) = (Vec::new(), size);
     loop {
-        let contrast = (255.0 * deviation(&field) / whole).round() as u8;
-        levels.push(ranks(&field).into_iter().map(|rank| [rank, contrast]).collect());
+        let smooth = smoothed(&field, side);
+        let contrast = (255.0 * variance(&smooth) / whole).round() as u8;
+        levels.push(ranks(&smooth).into_iter().map(|rank| [rank, contrast]).collect());
         if side == 1 {
             return levels;
         }
@@ -111,6 +112,18 @@ fn ranked_levels(mut field: Vec<f32>, size: usize) -> Vec<Vec<[u8; 2]>> {
         };
         field = (0..side * side).map(mean).collect();
     }
+}
+
+/// Means over three by three texels with weights 1, 2, 1: where neighbours are alike, ranks between them are still even.
+fn smoothed(field: &[f32], n: usize) -> Vec<f32> {
+    let row = |z: usize, x: usize| {
+        field[z * n + (x + n - 1) % n] + 2.0 * field[z * n + x] + field[z * n + (x + 1) % n]
+    };
+    let texel = |i: usize| {
+        let (x, z) = (i % n, i / n);
+        (row((z + n - 1) % n, x) + 2.0 * row(z, x) + row((z + 1) % n, x)) / 16.0
+    };
+    (0..n * n).map(texel).collect()
 }
 
 /// Of 255, the middle of each texel's share.

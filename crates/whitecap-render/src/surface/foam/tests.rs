@@ -150,8 +150,8 @@ fn the_mean_is_the_cover_at_every_distance() {
             1e2 * white,
             1e2 * wanted
         );
-        assert!((cover / wanted - 1.0).abs() < 0.4, "{footprint_m} m: {cover} for {wanted}");
-        assert!((white / cover - 1.0).abs() < 0.1, "{footprint_m} m: {white} of {cover}");
+        assert!((cover / wanted - 1.0).abs() < 0.25, "{footprint_m} m: {cover} for {wanted}");
+        assert!((white / cover - 1.0).abs() < 0.15, "{footprint_m} m: {white} of {cover}");
     }
 }
 

@@ -72,7 +72,7 @@ pub(super) fn calibrate(foam: &mut Foam) -> Result<(), ParameterError> {
         tile.mean = moments.mean;
         let averaged = values.chunks_exact(coarse * coarse).flat_map(|field| {
             let centred: Vec<f32> = field.iter().map(|m| m - moments.mean as f32).collect();
-            FoamLevel::of(&centred, coarse).halved().halved().texels().collect::<Vec<_>>()
+            between_texels(&FoamLevel::of(&centred, coarse).halved().halved())
         });
         texels.push(averaged.collect());
         variance += moments.variance;
@@ -124,6 +124,21 @@ fn some_averaged(foam: &Foam, texels: &[Vec<[f32; 2]>]) -> (f64, f64) {
         gain[usize::from(cover(middle) >= foam.cover)] = middle;
     }
     (0.5 * (gain[0] + gain[1]), within)
+}
+
+/// What a texture gives for places all over a level, one for each texel, at offsets without pattern (Roberts's R2).
+fn between_texels(level: &FoamLevel) -> Vec<[f32; 2]> {
+    let (n, texels) = (level.size(), level.texels().collect::<Vec<_>>());
+    let place = |i: usize| {
+        let offset = |by: f64| ((i as f64 * by).fract()) as f32;
+        let (t, u) = (offset(0.754_877_666), offset(0.569_840_291));
+        std::array::from_fn(|channel| {
+            let at = |dx: usize, dz: usize| texels[(i / n + dz) % n * n + (i + dx) % n][channel];
+            let row = |dz: usize| at(0, dz) * (1.0 - t) + at(1, dz) * t;
+            row(0) * (1.0 - u) + row(1) * u
+        })
+    };
+    (0..n * n).map(place).collect()
 }
 
 /// From samples of a field on half of the grid, `n` a side, what linear interpolation makes of the field there on the

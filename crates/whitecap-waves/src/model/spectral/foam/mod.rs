@@ -207,9 +207,9 @@ impl Foam {
         self.threshold
     }
 
-    /// (a, b): the variance σ² of what a pixel does not show of the fields counts as (a + b σ²) σ². A cover of normal
-    /// fields is too large for some of it, since breakers are whole or not at all within a pixel, and too small for
-    /// all of it, since mᵢ, which are maxima, have longer tails. With this it is W for both.
+    /// (a, b): the variance σ² of what a pixel does not show of the fields counts as (a + b σ²) σ². It makes up for what
+    /// is between a texel and the next, which neither holds, and for the tails of mᵢ, which are maxima, longer than those
+    /// of normal fields. With it the cover of the whole sea is W where some is averaged away, and where all is.
     pub fn variance_gain(&self) -> [f64; 2] {
         self.variance_gain
     }
