@@ -52,6 +52,51 @@ fn ndbc_real_time_with_directions() {
     }
 }
 
+/// Nines stand for a missing value only where they are none of the column.
+#[test]
+fn nines_that_are_values_are_kept() {
+    let text = DATA_SPEC.replacen("4.000", "99.00", 1).replacen("2.000", "9999.0", 1);
+    let directions = DIRECTIONS.map(|file| file.replacen("270.0", "99.0", 1));
+    let files = directions.each_ref().map(|file| file.as_bytes());
+    let seas = from_bytes_with_directions(text.as_bytes(), files, "x").unwrap();
+    let Energy::Moments { density, moments } = &seas[0].energy else { panic!("no moments") };
+    assert_eq!(density[..], [1.0, 99.0, 9999.0]);
+    // A bearing from 99° is one towards 279°, which from east towards south is 189°.
+    let [mean_deg, principal_deg] = moments[1]
+        .map(|moments| [moments.mean_toward_rad, moments.principal_toward_rad].map(f64::to_degrees))
+        .unwrap();
+    assert!((mean_deg - 189.0).abs() < 1e-9 && (principal_deg - 189.0).abs() < 1e-9, "{mean_deg}");
+
+    let history = read(&HISTORY.replacen("3.00", "99.00", 1));
+    // By bands of 0.01 Hz.
+    assert!(near(history[0].variance_m2(), 0.01 * (0.5 + 99.0 + 1.5)));
+}
+
+/// Each column has markers of its own, and without a value there is none.
+#[test]
+fn nines_that_are_no_values_are_missing() {
+    for marker in ["999.0", "999.00", "MM"] {
+        let seas = read(&DATA_SPEC.replacen("4.000", marker, 1));
+        let Energy::Omnidirectional { density } = &seas[0].energy else { panic!("no densities") };
+        assert_eq!(density[..], [1.0, 0.0, 2.0], "{marker}");
+    }
+    for (file, found, markers) in [
+        (0, "270.0", &["999", "MM"][..]),
+        (1, "90.0", &["999.0"]),
+        (2, "0.80", &["9.99", "99.0", "999.0", "MM"]),
+    ] {
+        for marker in markers {
+            let mut directions = DIRECTIONS.map(str::to_owned);
+            let last = directions[file].rfind(found).unwrap();
+            directions[file].replace_range(last..last + found.len(), marker);
+            let files = directions.each_ref().map(|file| file.as_bytes());
+            let seas = from_bytes_with_directions(DATA_SPEC.as_bytes(), files, "x").unwrap();
+            let Energy::Moments { moments, .. } = &seas[0].energy else { panic!("no moments") };
+            assert_eq!(moments.iter().filter(|moments| moments.is_some()).count(), 1, "{file} {marker}");
+        }
+    }
+}
+
 /// Waves from the north-east go towards the south-west: the file's α₁ = 45.
 #[test]
 fn ndbc_directions_are_where_waves_come_from() {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::super::text::number;
 use super::super::{Format, MeasuredError, MeasuredProblem, MeasuredSea, Text};
-use super::{DENSITY, energy, place, time, value};
+use super::{DENSITY, energy, place, time};
 
 /// Whether a file with this first line is of the format: columns of a time, then frequencies.
 pub(in super::super) fn is_history(first_line: &str) -> bool {
@@ -44,7 +44,7 @@ pub(in super::super) fn read(bytes: &[u8], name: &str) -> Result<Vec<MeasuredSea
         }
         let mut words = line.split_whitespace();
         let time = time(&text, &mut words, has_minutes)?;
-        let values = words.map(|word| value(&text, word, DENSITY)).collect::<Result<Vec<_>, _>>()?;
+        let values = words.map(|word| DENSITY.read(&text, word)).collect::<Result<Vec<_>, _>>()?;
         if values.len() != skipped + frequencies_hz.len() {
             let found = format!("{} values", values.len());
             return Err(text.unexpected(&found, "as many values as the header has frequencies"));
@@ -54,7 +54,7 @@ pub(in super::super) fn read(bytes: &[u8], name: &str) -> Result<Vec<MeasuredSea
             place: Arc::clone(&place),
             time: Some(time),
             frequencies_hz: Arc::clone(&frequencies_hz),
-            energy: energy(&text, values[skipped..].to_vec())?,
+            energy: energy(&values[skipped..]),
         };
         text.push(&mut seas, sea)?;
     }

@@ -11,28 +11,69 @@ use super::text::{Text, number};
 use super::time::{Time, digits};
 use super::{Energy, MeasuredError, Place};
 
-/// A value of a column; `None` where it is missing: `MM`, or a number of nines.
-fn value(text: &Text<'_>, word: &str, accepted: &'static str) -> Result<Option<f64>, MeasuredError> {
-    if word == "MM" {
-        return Ok(None);
+/// What a column holds, and the numbers that its missing values are written as. None of these is a value of the
+/// column, or as in densities, none that is found: a bearing of 99° is one.
+struct Column {
+    accepted: &'static str,
+    least: f64,
+    most: f64,
+    missing: &'static [f64],
+}
+
+const DENSITY: Column = Column {
+    accepted: "a density from 0 to 1000000 m²/Hz, or MM or 999 where it is missing",
+    least: 0.0,
+    most: 1e6,
+    missing: &[999.0],
+};
+
+const BEARING: Column = Column {
+    accepted: "a bearing from 0 to 360, or MM or 999 where it is missing",
+    least: 0.0,
+    most: 360.0,
+    missing: &[999.0],
+};
+
+const RATIO: Column = Column {
+    accepted: "a number from 0 to 1, or MM or 999 where it is missing",
+    least: 0.0,
+    most: 1.0,
+    missing: &[9.99, 99.0, 999.0],
+};
+
+/// Between swell and wind sea; nothing here depends on it.
+const SEPARATION: Column = Column {
+    accepted: "the separation frequency, then densities and their frequencies",
+    least: 0.0,
+    most: 100.0,
+    missing: &[9.999, 99.0, 999.0],
+};
+
+impl Column {
+    /// A value of it; `None` where it is missing.
+    fn read(&self, text: &Text<'_>, word: &str) -> Result<Option<f64>, MeasuredError> {
+        if word == "MM" {
+            return Ok(None);
+        }
+        let value = number(word).ok_or_else(|| text.unexpected(word, self.accepted))?;
+        if self.missing.contains(&value) {
+            return Ok(None);
+        }
+        match (self.least..=self.most).contains(&value) {
+            true => Ok(Some(value)),
+            false => Err(text.unexpected(&value.to_string(), self.accepted)),
+        }
     }
-    let value = number(word).ok_or_else(|| text.unexpected(word, accepted))?;
-    Ok(Some(value).filter(|value| *value != 99.0 && *value != 999.0 && *value != 9999.0))
 }
 
 /// The densities of a record in m²/Hz, where a missing value is no energy.
-fn energy(text: &Text<'_>, values: Vec<Option<f64>>) -> Result<Energy, MeasuredError> {
-    if let Some(wrong) = values.iter().flatten().find(|value| !(0.0..=1e6).contains(*value)) {
-        return Err(text.unexpected(&wrong.to_string(), DENSITY));
-    }
+fn energy(values: &[Option<f64>]) -> Energy {
     if values.iter().all(Option::is_none) {
-        return Ok(Energy::Missing);
+        return Energy::Missing;
     }
-    let density: Vec<f64> = values.into_iter().map(|value| value.unwrap_or(0.0)).collect();
-    if density.iter().all(|s| *s == 0.0) { Ok(Energy::Calm) } else { Ok(Energy::Omnidirectional { density }) }
+    let density: Vec<f64> = values.iter().map(|value| value.unwrap_or(0.0)).collect();
+    if density.iter().all(|s| *s == 0.0) { Energy::Calm } else { Energy::Omnidirectional { density } }
 }
-
-const DENSITY: &str = "a density from 0 to 1000000 m²/Hz, or MM or 999 where it is missing";
 
 /// The time that a line begins with: year (of two or four digits), month, day, hour, and the minute if there
 /// is a column for it.

@@ -8,7 +8,7 @@ use whitecap_waves::spectrum::tabulated::DirectionalMoments;
 
 use super::super::sea::toward_rad;
 use super::super::{Energy, Format, MeasuredError, MeasuredProblem, MeasuredSea, Text, Time};
-use super::{DENSITY, energy, place, time, value};
+use super::{BEARING, Column, DENSITY, RATIO, SEPARATION, energy, place, time};
 
 /// The extensions of the files of directions: α₁, α₂ (degrees that waves come from), r₁, r₂.
 pub(in super::super) const COMPANIONS: [&str; 4] = ["swdir", "swdir2", "swr1", "swr2"];
@@ -42,13 +42,13 @@ pub(in super::super) fn read(
     let place = Arc::new(place(name));
     let mut frequencies_hz: Arc<[f64]> = Arc::new([]);
     let mut seas = Vec::new();
-    while let Some(row) = row(&mut text, DENSITY)? {
+    while let Some(row) = row(&mut text, &DENSITY)? {
         text.points(Some(&row.frequencies_hz.len().to_string()), "frequencies", 2)?;
         text.ascending(&row.frequencies_hz)?;
         if *row.frequencies_hz != *frequencies_hz {
             frequencies_hz = row.frequencies_hz.into();
         }
-        let mut energy = energy(&text, row.values)?;
+        let mut energy = energy(&row.values);
         if let (Energy::Omnidirectional { density }, Some(directions)) = (&mut energy, &directions) {
             let moments: Vec<_> = frequencies_hz.iter().map(|hz| directions.moments(row.time, *hz)).collect();
             let density = std::mem::take(density);
@@ -104,22 +104,16 @@ fn key(hz: f64) -> u32 {
 }
 
 fn read_companions(files: [(&[u8], &str); 4]) -> Result<Companions, MeasuredError> {
-    const ACCEPTED: [(&str, f64, f64); 2] = [
-        ("a bearing from 0 to 360, or MM or 999 where it is missing", 0.0, 360.0),
-        ("a number from 0 to 1, or MM or 999 where it is missing", 0.0, 1.0),
-    ];
     let mut read: [BTreeMap<Time, BTreeMap<u32, f64>>; 4] = Default::default();
     for (i, ((bytes, name), times)) in files.into_iter().zip(&mut read).enumerate() {
-        let (accepted, least, most) = ACCEPTED[i / 2];
+        let column = if i < 2 { BEARING } else { RATIO };
         let mut text = Text::new(bytes, name)?;
-        while let Some(row) = row(&mut text, accepted)? {
+        while let Some(row) = row(&mut text, &column)? {
             let values = times.entry(row.time).or_default();
             for (hz, value) in row.frequencies_hz.into_iter().zip(row.values) {
-                let Some(value) = value else { continue };
-                if !(least..=most).contains(&value) {
-                    return Err(text.unexpected(&value.to_string(), accepted));
+                if let Some(value) = value {
+                    values.insert(key(hz), value);
                 }
-                values.insert(key(hz), value);
             }
         }
     }
@@ -127,7 +121,7 @@ fn read_companions(files: [(&[u8], &str); 4]) -> Result<Companions, MeasuredErro
 }
 
 /// The next line that is no comment.
-fn row(text: &mut Text<'_>, accepted: &'static str) -> Result<Option<Row>, MeasuredError> {
+fn row(text: &mut Text<'_>, column: &Column) -> Result<Option<Row>, MeasuredError> {
     let line = loop {
         match text.next() {
             Some(line) if line.trim_start().starts_with('#') => {}
@@ -140,15 +134,14 @@ fn row(text: &mut Text<'_>, accepted: &'static str) -> Result<Option<Row>, Measu
     let mut words: Vec<_> = words.collect();
     // The separation frequency between swell and wind sea, in files of densities.
     if words.len() % 2 == 1 {
-        let separation = words.remove(0);
-        value(text, separation, "the separation frequency, then densities and their frequencies")?;
+        SEPARATION.read(text, words.remove(0))?;
     }
     let mut row = Row { time, frequencies_hz: Vec::new(), values: Vec::new() };
     for pair in words.chunks_exact(2) {
         const FREQUENCY: &str = "a frequency in brackets after each value";
         let inside = pair[1].strip_prefix('(').and_then(|word| word.strip_suffix(')'));
         let inside = inside.ok_or_else(|| text.unexpected(pair[1], FREQUENCY))?;
-        row.values.push(value(text, pair[0], accepted)?);
+        row.values.push(column.read(text, pair[0])?);
         row.frequencies_hz.push(text.number(inside, FREQUENCY)?);
     }
     Ok(Some(row))
