@@ -171,6 +171,8 @@ fn a_thousand_kilometres_from_the_origin_nothing_trembles() {
          { tile_size_m = 3.2 },\n]\n\n[[sea.system]]",
         1,
     );
+    // In a light wind: the structure of foam repeats at other lengths.
+    let ocean = ocean.replacen("wind_speed_mps = 9.0", "wind_speed_mps = 2.5", 1);
     let ocean = Scene::from_toml(&ocean, "ocean.toml").unwrap();
     for (scene, shift_m) in [
         (scene(), DVec3::new(1_000_200.0, 0.0, -999_600.0)),
@@ -183,8 +185,7 @@ fn a_thousand_kilometres_from_the_origin_nothing_trembles() {
         let there = frame(gpu, &mut water, &target, look(eye + shift_m, toward), 3.0, true);
         let unequal = here.iter().zip(&there).filter(|(a, b)| a.abs_diff(**b) > 2).count();
         let word = scene.technique.word();
-        // Foam's edges and the sun's glints are sharp, and a rounding of 1e-7 tiles moves them.
-        assert!(unequal * 250 < here.len(), "{word}: {unequal} of {} values differ", here.len());
+        assert!(unequal * 500 < here.len(), "{word}: {unequal} of {} values differ", here.len());
     }
 }
 

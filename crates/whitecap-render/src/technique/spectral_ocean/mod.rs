@@ -2,7 +2,7 @@
 //!
 //! Each tile of a [`SpectralSea`](whitecap_waves::model::spectral::SpectralSea) is a set of [`TileMaps`]. Vertices of
 //! nested rings ([`NestedGrid`]) move by the sum of the tiles' displacements; pixels see the sum of their slopes, and
-//! what neither resolves is roughness, by direction ([`Roughness`]). Breaking waves leave foam ([`FoamMaps`]). Under the
+//! what neither resolves is roughness, by direction (`Roughness`). Breaking waves leave foam ([`FoamMaps`]). Under the
 //! surface light scatters once. All of it is linear light of the scene; the tone map comes last.
 //!
 //! docs/spectral-ocean.md tells the passes and the limits.

@@ -1,8 +1,8 @@
 //! A clear sky by scattering in a round shell of air.
 //!
 //! After S. Hillaire, "A Scalable and Production Ready Sky and Atmosphere Rendering Technique", EGSR 2020: light that was
-//! scattered once is summed along each ray, all higher orders come from a small table ([`multiple`]). What the air is made
-//! of is in [`medium`]. Rays go straight, there is no light but the sun's, and polarisation is left out.
+//! scattered once is summed along each ray, all higher orders come from a small table (`multiple`). What the air is made
+//! of is in `medium`. Rays go straight, there is no light but the sun's, and polarisation is left out.
 //!
 //! Light is in units of the sun's irradiance above the air, which is 1 in each channel. Directions have y up and need not
 //! point above the horizon; the sun may be anywhere.
