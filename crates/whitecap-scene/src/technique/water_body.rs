@@ -1,5 +1,7 @@
 //! What the water does to the light in it: keys that techniques share.
 
+use whitecap_waves::optics::water_body::PURE_ABSORPTION_PER_M as PURE;
+
 use crate::error::SceneError;
 use crate::key::Colour;
 use crate::reader::TableReader;
@@ -14,7 +16,7 @@ pub(super) const CLEAREST_SCATTERING_PER_M: [f64; 3] = [0.000_93, 0.001_91, 0.00
 pub(super) const CLEAREST_EXTINCTION_PER_M: [f64; 3] = [0.341, 0.058_4, 0.013_8];
 
 /// What pure water absorbs at 650, 550 and 450 nm (Pope & Fry 1997).
-pub(super) const PURE_ABSORPTION_PER_M: [f64; 3] = [0.340, 0.056_5, 0.009_22];
+pub(super) const PURE_ABSORPTION_PER_M: [f64; 3] = [PURE[10], PURE[6], PURE[2]];
 
 /// Refuses water that scatters more light than it takes out of a ray.
 pub(super) fn check(

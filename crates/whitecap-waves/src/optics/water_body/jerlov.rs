@@ -117,7 +117,7 @@ pub struct Constituents {
 pub const MEAN_COSINE: f64 = 1.0 / (1.04 * 1.08);
 
 /// Absorption of pure water, 1/m (Pope and Fry, *Appl. Opt.* 36, 1997).
-const PURE_ABSORPTION_PER_M: [f64; BANDS] =
+pub const PURE_ABSORPTION_PER_M: [f64; BANDS] =
     [0.00663, 0.00478, 0.00922, 0.0114, 0.0204, 0.0417, 0.0565, 0.0772, 0.2224, 0.2834, 0.340, 0.448, 0.624];
 
 /// Scattering of pure sea water, 1/m, half of it backwards (Morel 1974, as Mobley, *Light and Water*, 1994, has it).

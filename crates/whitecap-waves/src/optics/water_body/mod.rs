@@ -20,7 +20,7 @@ mod spectrum;
 #[cfg(test)]
 mod tests;
 
-pub use jerlov::{Constituents, JerlovType, MEAN_COSINE};
+pub use jerlov::{Constituents, JerlovType, MEAN_COSINE, PURE_ABSORPTION_PER_M};
 pub use light::{Daylight, WaterLight, crest_light, water_radiance};
 pub use spectrum::{BANDS, WAVELENGTHS_NM, channel_weights, linear_srgb};
 

@@ -58,7 +58,7 @@ impl<'a> Report<'a> {
         surface: &SeaSurface,
     ) -> Self {
         let theory_numbers = theory.map(|theory| Numbers::of(&theory.statistics()));
-        let wind_speed_mps = systems.wind_speed_mps();
+        let wind_speed_mps = scene.sea.wind_speed_mps();
         let mut report = Self {
             scene: name,
             model: scene.sea.model.word(),

@@ -49,11 +49,6 @@ impl Systems {
         self.alone().and_then(|system| system.requested.from_deg).map(|from_deg| from_deg % 360.0)
     }
 
-    /// The strongest wind that any system speaks of.
-    pub(super) fn wind_speed_mps(&self) -> Option<f64> {
-        self.0.iter().filter_map(|system| system.requested.wind_speed_mps).reduce(f64::max)
-    }
-
     fn alone(&self) -> Option<&System> {
         self.0.first().filter(|_| self.0.len() == 1)
     }

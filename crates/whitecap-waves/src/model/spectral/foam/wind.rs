@@ -3,12 +3,14 @@
 //! | symbol | meaning | unit |
 //! | --- | --- | --- |
 //! | k_c | where waves stop counting | rad/m |
-//! | α, β | 0.0081, 0.74: the spectrum of Pierson and Moskowitz, S = α g² ω⁻⁵ exp(−β (g/(U₁₉.₅ ω))⁴) | |
+//! | S(ω) | the spectrum of Pierson and Moskowitz | m² s |
 
 use super::super::SpectralSea;
 use super::convergence::Convergence;
 use crate::GRAVITY_MPS2;
 use crate::error::ParameterError;
+use crate::spectrum::Omnidirectional;
+use crate::spectrum::pierson_moskowitz::PiersonMoskowitz;
 use crate::statistics::Moments;
 use std::f64::consts::TAU;
 
@@ -32,7 +34,7 @@ pub(super) fn equivalent_wind_mps(sea: &SpectralSea) -> Result<f64, ParameterErr
     let (mut low, mut high) = (0.0, 60.0);
     for _ in 0..40 {
         let middle = 0.5 * (low + high);
-        if fully_developed(middle) < steepness {
+        if fully_developed(middle)? < steepness {
             low = middle;
         } else {
             high = middle;
@@ -43,19 +45,17 @@ pub(super) fn equivalent_wind_mps(sea: &SpectralSea) -> Result<f64, ParameterErr
 
 /// The same of the sea of Pierson and Moskowitz under a wind 10 m above it: ∫ω⁴/g² S w² dω, by the trapezium rule over
 /// ln ω.
-fn fully_developed(wind_speed_mps: f64) -> f64 {
-    const ALPHA: f64 = 0.0081;
-    const BETA: f64 = 0.74;
+fn fully_developed(wind_speed_mps: f64) -> Result<f64, ParameterError> {
     const STEP: f64 = 0.02;
-    // U₁₉.₅ = 1.026 U₁₀ (Stewart, *Introduction to Physical Oceanography*, 2008, §16.4).
-    let lowest = GRAVITY_MPS2 / (1.026 * wind_speed_mps.max(1e-3));
+    let sea = PiersonMoskowitz::from_wind(wind_speed_mps.max(1e-3))?;
     let shortest = TAU / SHORTEST_M;
     let density = |i: u32| {
         let omega = 0.05 * libm::exp(STEP * f64::from(i));
         let share = 1.0 / (1.0 + libm::pow(omega * omega / (GRAVITY_MPS2 * shortest), 4.0));
-        ALPHA * libm::exp(-BETA * libm::pow(lowest / omega, 4.0)) * share * share
+        let slope = omega * omega / GRAVITY_MPS2 * share;
+        omega * sea.density_m2s(omega) * slope * slope
     };
-    STEP * (0..400).map(density).sum::<f64>()
+    Ok(STEP * (0..400).map(density).sum::<f64>())
 }
 
 #[cfg(test)]
@@ -65,6 +65,7 @@ mod tests {
     /// Without the share of the waves it is α/4 E₁(β (g/(U ω))⁴), which grows by α dω/ω: an octave of waves has α ln 2.
     #[test]
     fn twice_the_wind_adds_an_octave_of_waves() {
+        let fully_developed = |wind_speed_mps| fully_developed(wind_speed_mps).unwrap();
         let octave = fully_developed(16.0) - fully_developed(8.0);
         assert!((octave / (0.0081 * 2.0_f64.ln()) - 1.0).abs() < 0.02, "{octave}");
         assert!(fully_developed(0.0) < 1e-12 && fully_developed(2.0) < fully_developed(3.0));
