@@ -5,7 +5,6 @@ use crate::gpu::resources::{bind_group, buffer};
 use crate::pass::{Around, Skies, sky_layout_entries};
 use crate::{RenderError, TargetFormat, View};
 use glam::{Mat4, Vec3, Vec4};
-use whitecap_scene::ToneMap;
 
 /// Views of one sea that a frame can hold.
 pub const MAX_VIEWS: usize = 16;
@@ -96,27 +95,6 @@ pub(crate) struct GpuSun {
     pub(crate) end: u32,
 }
 
-/// Layout twin of `GpuPicture` in `tone_map.wesl`.
-#[repr(C)]
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-pub(crate) struct GpuPicture {
-    pub(crate) exposure: f32,
-    pub(crate) tone_map: u32,
-    pub(crate) padding: [u32; 2],
-}
-
-impl GpuPicture {
-    fn new(exposure: f32, tone_map: ToneMap) -> GpuPicture {
-        let tone_map = match tone_map {
-            ToneMap::Agx => 0,
-            ToneMap::Aces => 1,
-            ToneMap::PbrNeutral => 2,
-            ToneMap::None => 3,
-        };
-        GpuPicture { exposure, tone_map, padding: [0; 2] }
-    }
-}
-
 /// A uniform per view in one buffer, chosen by dynamic offset, so that all views of a frame can be
 /// prepared before any is drawn.
 pub(crate) struct ViewSlots<T> {
@@ -192,7 +170,6 @@ impl Shared {
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         environment: &Environment,
-        tone_map: ToneMap,
         target: TargetFormat,
     ) -> Shared {
         let stages = wgpu::ShaderStages::VERTEX_FRAGMENT;
@@ -209,7 +186,6 @@ impl Shared {
             texture_entry(0, stages, wgpu::TextureViewDimension::Cube, true),
             sampler_entry(1, stages),
             uniform_entry(2, stages),
-            uniform_entry(3, stages),
         ];
         if environment.light.is_some() {
             entries.extend(sky_layout_entries(stages));
@@ -220,9 +196,6 @@ impl Shared {
         });
         let cube = upload_cube(device, queue, &environment.cube);
         let sun = upload_sun(device, queue, environment);
-        let picture = GpuPicture::new(environment.exposure, tone_map);
-        let picture =
-            buffer(device, queue, "picture", bytemuck::bytes_of(&picture), wgpu::BufferUsages::UNIFORM);
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("environment"),
             mag_filter: wgpu::FilterMode::Linear,
@@ -230,7 +203,7 @@ impl Shared {
             mipmap_filter: wgpu::MipmapFilterMode::Linear,
             ..Default::default()
         });
-        let around = Around { cube, sampler, sun, picture };
+        let around = Around { cube, sampler, sun };
         let (skies, environment_group) = match &environment.light {
             Some(light) => {
                 let skies = Skies::new(device, queue, light, &environment_layout, around);

@@ -90,7 +90,7 @@ impl Water {
         options: &WaterOptions,
     ) -> Result<Water, RenderError> {
         checked(device, "the water", || {
-            let shared = Shared::new(device, queue, environment, scene.picture.tone_map, target);
+            let shared = Shared::new(device, queue, environment, target);
             let objects = Objects::new(device, queue, scene)?;
             let object_pass = ObjectPass::new(device, &shared, &objects, &target);
             let sky = SkyPass::new(device, &shared, &target);

@@ -42,11 +42,8 @@ impl CubeMap {
         let size = FACE_SIZE >> LEVEL;
         let light = |(i, texel): (usize, &[f16; 4])| {
             let (face, x, y) = split(i, size);
-            let place = Vec2::new(x as f32, y as f32) + 0.5;
-            let across = place * (2.0 / size as f32) - 1.0;
-            let solid_angle = (2.0 / size as f32).powi(2) / (1.0 + across.length_squared()).powf(1.5);
             let [r, g, b, _] = texel.map(f16::to_f32);
-            Vec3::new(r, g, b) * (solid_angle * direction(face, place, size).y.max(0.0))
+            Vec3::new(r, g, b) * level_share(face, Vec2::new(x as f32, y as f32) + 0.5, size)
         };
         self.levels[LEVEL].iter().enumerate().map(light).sum()
     }
@@ -93,6 +90,14 @@ fn chain(
         levels.push(store(&stored));
     }
     levels
+}
+
+/// What a texel with its middle at `place` adds to the irradiance of a level surface for each unit of its radiance: its solid
+/// angle times its cosine to the zenith.
+pub(super) fn level_share(face: usize, place: Vec2, size: u32) -> f32 {
+    let across = place * (2.0 / size as f32) - 1.0;
+    let solid_angle = (2.0 / size as f32).powi(2) / (1.0 + across.length_squared()).powf(1.5);
+    solid_angle * direction(face, place, size).y.max(0.0)
 }
 
 struct Level<'a> {

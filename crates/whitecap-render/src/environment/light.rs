@@ -1,6 +1,7 @@
 //! The light around in the scene's own measure, for techniques that draw in linear light.
 
 use glam::Vec3;
+use whitecap_scene::ToneMap;
 use whitecap_waves::optics::atmosphere::{Atmosphere, Sky};
 
 /// The sun's illuminance outside the air, klx: the solar constant of 1361 W/m² at 94 lm/W. It counts as white, the same in
@@ -17,6 +18,10 @@ pub struct Light {
     pub sun: Option<SunLight>,
     /// Illuminance of the sky on a level sea, with clouds and without the sun.
     pub sky_illuminance_klx: Vec3,
+    /// What a radiance of 1 kcd/m² becomes in the linear light of a picture whose white is 1.
+    pub exposure: f32,
+    /// What brings that light into a display's range.
+    pub tone_map: ToneMap,
     /// The air, for what is seen through it.
     pub(crate) air: Air,
 }

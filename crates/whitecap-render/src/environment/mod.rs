@@ -53,9 +53,6 @@ pub struct Environment {
     /// Display brightness of the sky against a day's: 1 by day, less from sunset on. Colours that a scene
     /// gives as they look by day are dimmed by it.
     pub daylight: f32,
-    /// What a radiance of 1 kcd/m² becomes in the linear light of a picture whose white is 1, for techniques that draw in
-    /// linear light.
-    pub exposure: f32,
     /// What belongs to the map for techniques that draw in linear light; `None` where it holds display values.
     pub light: Option<Light>,
 }
@@ -83,18 +80,7 @@ impl Environment {
         if scene.technique.is_scene_linear() {
             return Environment::linear(scene);
         }
-        match (&scene.sky, &scene.panorama) {
-            (Sky::Atmosphere(settings), _) => {
-                Ok(Environment::of_atmosphere(settings, &scene.picture, scene.seed))
-            }
-            (Sky::Panorama(settings), Some(panorama)) => {
-                Ok(Environment::of_panorama(settings, &scene.picture, panorama))
-            }
-            (Sky::Panorama(settings), None) => {
-                Ok(Environment::of_panorama(settings, &scene.picture, &settings.load()?))
-            }
-            _ => Err(RenderError::Unsupported { what: "this kind of sky".into() }),
-        }
+        of_sky(scene, |settings| Environment::of_atmosphere(settings, scene.seed), Environment::of_panorama)
     }
 
     /// As [`Environment::new`] for techniques that draw in linear light: the map holds radiance, and what display values
@@ -108,17 +94,13 @@ impl Environment {
             Technique::SpectralOcean(settings) => settings.visibility_km,
             _ => SpectralOcean::default().visibility_km,
         };
-        let of_panorama = |settings, panorama: &Panorama| {
-            Environment::linear_of_panorama(settings, &scene.picture, panorama, visibility_km)
-        };
-        match (&scene.sky, &scene.panorama) {
-            (Sky::Atmosphere(settings), _) => {
-                Ok(Environment::linear_of_atmosphere(settings, &scene.picture, scene.seed))
-            }
-            (Sky::Panorama(settings), Some(panorama)) => Ok(of_panorama(settings, panorama)),
-            (Sky::Panorama(settings), None) => Ok(of_panorama(settings, &settings.load()?)),
-            _ => Err(RenderError::Unsupported { what: "this kind of sky".into() }),
-        }
+        of_sky(
+            scene,
+            |settings| Environment::linear_of_atmosphere(settings, &scene.picture, scene.seed),
+            |settings, panorama| {
+                Environment::linear_of_panorama(settings, &scene.picture, panorama, visibility_km)
+            },
+        )
     }
 
     fn linear_of_atmosphere(settings: &AtmosphereSky, picture: &Picture, seed: u64) -> Environment {
@@ -166,12 +148,17 @@ impl Environment {
             irradiance,
             skylight: sky_illuminance_klx / PI,
             daylight: 1.0,
-            exposure: exposure::exposure(picture, f64::from(irradiance.dot(LUMINANCE)), ev),
-            light: Some(Light { sun, sky_illuminance_klx, air }),
+            light: Some(Light {
+                sun,
+                sky_illuminance_klx,
+                exposure: exposure::exposure(picture, f64::from(irradiance.dot(LUMINANCE)), ev),
+                tone_map: picture.tone_map,
+                air,
+            }),
         }
     }
 
-    fn of_atmosphere(settings: &AtmosphereSky, picture: &Picture, seed: u64) -> Environment {
+    fn of_atmosphere(settings: &AtmosphereSky, seed: u64) -> Environment {
         let clear = ClearSky::new(settings);
         let (toward_sun, mean) = (clear.toward_sun, clear.mean);
         let clouds = Clouds::new(&clear, settings.cloud_cover as f32, seed);
@@ -184,11 +171,6 @@ impl Environment {
         Environment {
             cube: CubeMap::bake(|d| expose(cloudy(&clear, &clouds, d) * exposure), sun.as_ref(), 1),
             sun,
-            exposure: exposure::exposure(
-                picture,
-                f64::from(SUN_KLX * (from_sun + PI * mean).dot(LUMINANCE)),
-                settings.exposure_ev,
-            ),
             irradiance: (from_sun + PI * mean) * exposure,
             skylight: mean * exposure,
             daylight: display_from_linear(KEY * dimming) / display_from_linear(KEY),
@@ -196,7 +178,7 @@ impl Environment {
         }
     }
 
-    fn of_panorama(settings: &PanoramaSky, picture: &Picture, panorama: &Panorama) -> Environment {
+    fn of_panorama(settings: &PanoramaSky, panorama: &Panorama) -> Environment {
         let yaw = glam::DQuat::from_rotation_y(settings.yaw_deg.to_radians());
         let radiance = |d: Vec3| Vec3::from(panorama.sample(yaw * d.as_dvec3()));
         let (all, without_sun) = means_of_upper_half(&radiance);
@@ -206,12 +188,25 @@ impl Environment {
         Environment {
             cube,
             sun: None,
-            exposure: exposure::exposure(picture, f64::from(PI * all.dot(LUMINANCE)), settings.exposure_ev),
             irradiance: PI * all * exposure,
             skylight: all * exposure,
             daylight: 1.0,
             light: None,
         }
+    }
+}
+
+/// The environment of the scene's kind of sky, with the panorama that the scene holds, or read now.
+fn of_sky(
+    scene: &Scene,
+    of_atmosphere: impl FnOnce(&AtmosphereSky) -> Environment,
+    of_panorama: impl FnOnce(&PanoramaSky, &Panorama) -> Environment,
+) -> Result<Environment, RenderError> {
+    match (&scene.sky, &scene.panorama) {
+        (Sky::Atmosphere(settings), _) => Ok(of_atmosphere(settings)),
+        (Sky::Panorama(settings), Some(panorama)) => Ok(of_panorama(settings, panorama)),
+        (Sky::Panorama(settings), None) => Ok(of_panorama(settings, &settings.load()?)),
+        _ => Err(RenderError::Unsupported { what: "this kind of sky".into() }),
     }
 }
 

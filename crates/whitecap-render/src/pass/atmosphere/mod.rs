@@ -11,11 +11,12 @@
 
 use crate::View;
 use crate::environment::{Air, Light, SUN_KLX};
-use crate::gpu::resources::{bind_group, texture_2d, write_level};
+use crate::gpu::resources::{bind_group, buffer, texture_2d, write_level};
 use crate::shader_lib::{self, Shader};
 use crate::uniforms::{texture_entry, uniform_entry};
 use glam::{DVec3, Vec3};
 use half::f16;
+use whitecap_scene::ToneMap;
 use whitecap_waves::optics::atmosphere::{LOWEST_EYE_M, Table, horizon_rad};
 
 /// The highest eye that the tables are made for, metres.
@@ -42,10 +43,31 @@ struct GpuAir {
     visibility_m: f32,
 }
 
-/// Bindings 4 to 8 of group 1, where techniques draw in linear light; 9 is the passes' own.
-pub(crate) fn sky_layout_entries(stages: wgpu::ShaderStages) -> [wgpu::BindGroupLayoutEntry; 5] {
+/// Layout twin of `GpuPicture` in `tone_map.wesl`.
+#[repr(C)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+struct GpuPicture {
+    exposure: f32,
+    tone_map: u32,
+}
+
+impl GpuPicture {
+    fn of(light: &Light) -> GpuPicture {
+        let tone_map = match light.tone_map {
+            ToneMap::Agx => 0,
+            ToneMap::Aces => 1,
+            ToneMap::PbrNeutral => 2,
+            ToneMap::None => 3,
+        };
+        GpuPicture { exposure: light.exposure, tone_map }
+    }
+}
+
+/// Bindings 3 to 8 of group 1, where techniques draw in linear light; 9 is the passes' own.
+pub(crate) fn sky_layout_entries(stages: wgpu::ShaderStages) -> [wgpu::BindGroupLayoutEntry; 6] {
     use wgpu::TextureViewDimension::{D2, D3};
     [
+        uniform_entry(3, stages),
         uniform_entry(4, stages),
         texture_entry(5, stages, D2, true),
         texture_entry(6, stages, D2, true),
@@ -54,25 +76,24 @@ pub(crate) fn sky_layout_entries(stages: wgpu::ShaderStages) -> [wgpu::BindGroup
     ]
 }
 
-/// The light around as all views share it: bindings 0 to 3 of group 1.
+/// The light around as all views share it: bindings 0 to 2 of group 1.
 pub(crate) struct Around {
     pub(crate) cube: wgpu::TextureView,
     pub(crate) sampler: wgpu::Sampler,
     pub(crate) sun: wgpu::Buffer,
-    pub(crate) picture: wgpu::Buffer,
 }
 
 impl Around {
-    pub(crate) fn resources(&self) -> [wgpu::BindingResource<'_>; 4] {
+    pub(crate) fn resources(&self) -> [wgpu::BindingResource<'_>; 3] {
         use wgpu::BindingResource::{Sampler, TextureView};
-        let Around { cube, sampler, sun, picture } = self;
-        [TextureView(cube), Sampler(sampler), sun.as_entire_binding(), picture.as_entire_binding()]
+        [TextureView(&self.cube), Sampler(&self.sampler), self.sun.as_entire_binding()]
     }
 }
 
 /// Each view's sky.
 pub(crate) struct Skies {
     around: Around,
+    picture: wgpu::Buffer,
     layout: wgpu::BindGroupLayout,
     /// What does not depend on the eye.
     air: GpuAir,
@@ -146,9 +167,12 @@ impl Skies {
                 (nothing(), nothing(), None, false)
             }
         };
+        let picture = GpuPicture::of(light);
+        let picture =
+            buffer(device, queue, "picture", bytemuck::bytes_of(&picture), wgpu::BufferUsages::UNIFORM);
         let (layout, views) = (layout.clone(), Vec::new());
         let mut skies =
-            Skies { around, layout, air, has_clouds, passes, sea_level_sky, transmittance, views };
+            Skies { around, picture, layout, air, has_clouds, passes, sea_level_sky, transmittance, views };
         skies.make_views(device, 1);
         skies
     }
@@ -228,6 +252,7 @@ impl Skies {
                 .create_view(&Default::default());
         let aerial = volume(device, size(AERIAL_SIZE)).create_view(&Default::default());
         let of_view = [
+            self.picture.as_entire_binding(),
             uniform.as_entire_binding(),
             TextureView(&sky_view),
             TextureView(&self.sea_level_sky),

@@ -43,9 +43,9 @@ pub(super) fn sky_map(build: &Build<'_>) -> wgpu::TextureView {
         })
     };
     let sampler = linear_sampler(device, "8-bit sky", wgpu::AddressMode::ClampToEdge);
-    // The layout has a sun and an exposure, which the shader does not look at.
-    let unread = device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("not read"),
+    // The layout has a sun, which the shader does not look at.
+    let sun = device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("no sun"),
         size: 256,
         usage: wgpu::BufferUsages::UNIFORM,
         mapped_at_creation: false,
@@ -55,12 +55,7 @@ pub(super) fn sky_map(build: &Build<'_>) -> wgpu::TextureView {
         let finer = level.checked_sub(1).map(|finer| {
             let source = cube(finer, Some(1));
             use wgpu::BindingResource::{Sampler, TextureView};
-            let resources = [
-                TextureView(&source),
-                Sampler(&sampler),
-                unread.as_entire_binding(),
-                unread.as_entire_binding(),
-            ];
+            let resources = [TextureView(&source), Sampler(&sampler), sun.as_entire_binding()];
             bind_group(device, "8-bit sky", &shared.environment_layout, resources)
         });
         for face in 0..6 {
