@@ -2,25 +2,12 @@
 #![allow(clippy::unwrap_used)] // a test that cannot go on should stop
 
 use whitecap_render::environment::Environment;
-use whitecap_render::gpu::{for_tests::gpu, read_texture};
+use whitecap_render::gpu::for_tests::{Canvas, gpu};
 use whitecap_render::surface::Backend;
 use whitecap_render::{Gpu, TargetFormat, View, Water, WaterOptions};
 use whitecap_scene::Scene;
 
 const SIZE: [u32; 2] = [160, 90];
-
-fn attachment(gpu: &Gpu, format: wgpu::TextureFormat) -> wgpu::Texture {
-    gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: None,
-        size: wgpu::Extent3d { width: SIZE[0], height: SIZE[1], depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-        view_formats: &[],
-    })
-}
 
 /// The scene at `time_s`, a moment after it was drawn at another one.
 fn picture(gpu: &Gpu, scene: &Scene, backend: Backend, time_s: f64) -> Vec<u8> {
@@ -29,38 +16,19 @@ fn picture(gpu: &Gpu, scene: &Scene, backend: Backend, time_s: f64) -> Vec<u8> {
     let options = WaterOptions { backend: Some(backend) };
     let environment = Environment::new(scene).unwrap();
     let mut water = Water::with_options(device, queue, scene, &environment, target, &options).unwrap();
-    let (color, depth) = (attachment(gpu, target.color), attachment(gpu, target.depth));
-    let [color_view, depth_view] = [&color, &depth].map(|t| t.create_view(&Default::default()));
+    let canvas = Canvas::new(gpu, &target, SIZE);
     let view = View::of_camera(&scene.camera, SIZE);
     for time_s in [time_s - 3.0, time_s] {
         let mut encoder = device.create_command_encoder(&Default::default());
         water.prepare(device, queue, &mut encoder, &[view], time_s).unwrap();
-        let clear = wgpu::LoadOp::Clear(wgpu::Color::BLACK);
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: None,
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &color_view,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations { load: clear, store: wgpu::StoreOp::Store },
-            })],
-            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &depth_view,
-                depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(target.far_depth()),
-                    store: wgpu::StoreOp::Store,
-                }),
-                stencil_ops: None,
-            }),
-            ..Default::default()
+        canvas.draw(&mut encoder, wgpu::Color::BLACK, |pass| {
+            water.draw(pass, 0);
+            water.draw_sky(pass, 0);
         });
-        water.draw(&mut pass, 0);
-        water.draw_sky(&mut pass, 0);
-        drop(pass);
         queue.submit([encoder.finish()]);
     }
     gpu.check().unwrap();
-    read_texture(device, queue, &color).unwrap()
+    canvas.pixels()
 }
 
 /// To a level of 8 bits, but for the few pixels where a rounding moves an edge or a glint; and another time is another

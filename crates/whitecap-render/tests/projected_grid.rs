@@ -3,7 +3,7 @@
 
 use glam::{DVec3, Vec3};
 use whitecap_render::environment::Environment;
-use whitecap_render::gpu::{for_tests::gpu, read_texture};
+use whitecap_render::gpu::for_tests::{Canvas, gpu};
 use whitecap_render::{Gpu, TargetFormat, View, Water};
 use whitecap_scene::{Camera, Scene};
 
@@ -14,47 +14,12 @@ const NOTHING: wgpu::Color = wgpu::Color { r: 1.0, g: 0.0, b: 1.0, a: 1.0 };
 
 /// The water alone, in one view at one time.
 fn draw(gpu: &Gpu, water: &mut Water, view: View, time_s: f64) -> Vec<u8> {
-    let target = TargetFormat::default();
-    let texture = |format| {
-        gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: None,
-            size: wgpu::Extent3d { width: SIZE[0], height: SIZE[1], depth_or_array_layers: 1 },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[],
-        })
-    };
-    let (color, depth) = (texture(target.color), texture(target.depth));
-    let (color_view, depth_view) =
-        (color.create_view(&Default::default()), depth.create_view(&Default::default()));
+    let canvas = Canvas::new(gpu, &TargetFormat::default(), SIZE);
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     water.prepare(&gpu.device, &gpu.queue, &mut encoder, &[view], time_s).unwrap();
-    {
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: None,
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &color_view,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(NOTHING), store: wgpu::StoreOp::Store },
-            })],
-            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &depth_view,
-                depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(target.far_depth()),
-                    store: wgpu::StoreOp::Store,
-                }),
-                stencil_ops: None,
-            }),
-            ..Default::default()
-        });
-        water.draw(&mut pass, 0);
-    }
+    canvas.draw(&mut encoder, NOTHING, |pass| water.draw(pass, 0));
     gpu.queue.submit([encoder.finish()]);
-    read_texture(&gpu.device, &gpu.queue, &color).unwrap()
+    canvas.pixels()
 }
 
 fn scene(toml: &str) -> Scene {

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used)] // a test that cannot go on should stop
 
 use glam::{DVec3, Vec3};
-use whitecap_render::gpu::read_texture;
+use whitecap_render::gpu::for_tests::Canvas;
 use whitecap_render::picture::{PictureRequest, render_picture};
 use whitecap_render::{Gpu, MAX_VIEWS, RenderError, TargetFormat, View, Water};
 use whitecap_scene::{Camera, Scene, Technique, technique};
@@ -32,69 +32,12 @@ fn look(eye: DVec3, toward: DVec3) -> View {
     View::of_camera(&camera, SIZE)
 }
 
-struct Canvas<'a> {
-    gpu: &'a Gpu,
-    color: wgpu::Texture,
-    depth: wgpu::TextureView,
-}
-
-impl<'a> Canvas<'a> {
-    fn new(gpu: &'a Gpu, target: &TargetFormat) -> Canvas<'a> {
-        let texture = |format| {
-            gpu.device.create_texture(&wgpu::TextureDescriptor {
-                label: None,
-                size: wgpu::Extent3d { width: SIZE[0], height: SIZE[1], depth_or_array_layers: 1 },
-                mip_level_count: 1,
-                sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
-                format,
-                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-                view_formats: &[],
-            })
-        };
-        let depth = texture(target.depth).create_view(&Default::default());
-        Canvas { gpu, color: texture(target.color), depth }
-    }
-
-    fn draw(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-        far: f32,
-        draw: impl FnOnce(&mut wgpu::RenderPass<'_>),
-    ) {
-        let color = self.color.create_view(&Default::default());
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: None,
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &color,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(NOTHING), store: wgpu::StoreOp::Store },
-            })],
-            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &self.depth,
-                depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(far),
-                    store: wgpu::StoreOp::Store,
-                }),
-                stencil_ops: None,
-            }),
-            ..Default::default()
-        });
-        draw(&mut pass);
-    }
-
-    fn pixels(&self) -> Vec<u8> {
-        read_texture(&self.gpu.device, &self.gpu.queue, &self.color).unwrap()
-    }
-}
-
 /// The water and, if `sky`, the sky of one view at one time.
 fn frame(gpu: &Gpu, water: &mut Water, target: &TargetFormat, view: View, time_s: f64, sky: bool) -> Vec<u8> {
-    let canvas = Canvas::new(gpu, target);
+    let canvas = Canvas::new(gpu, target, SIZE);
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
     water.prepare(&gpu.device, &gpu.queue, &mut encoder, &[view], time_s).unwrap();
-    canvas.draw(&mut encoder, target.far_depth(), |pass| {
+    canvas.draw(&mut encoder, NOTHING, |pass| {
         water.draw(pass, 0);
         if sky {
             water.draw_sky(pass, 0);
@@ -135,11 +78,11 @@ fn several_views_in_one_frame_equal_each_alone() {
         let first = View::of_camera(&scene.camera, SIZE);
         let views = [first, look(first.eye_m + DVec3::new(30.0, 12.0, 8.0), DVec3::new(-0.2, -0.5, 1.0))];
         let alone = views.map(|view| frame(gpu, &mut water, &target, view, 1.0, true));
-        let canvases = views.map(|_| Canvas::new(gpu, &target));
+        let canvases = views.map(|_| Canvas::new(gpu, &target, SIZE));
         let mut encoder = device.create_command_encoder(&Default::default());
         water.prepare(device, queue, &mut encoder, &views, 1.0).unwrap();
         for (i, canvas) in canvases.iter().enumerate() {
-            canvas.draw(&mut encoder, target.far_depth(), |pass| {
+            canvas.draw(&mut encoder, NOTHING, |pass| {
                 water.draw(pass, i);
                 water.draw_sky(pass, i);
             });

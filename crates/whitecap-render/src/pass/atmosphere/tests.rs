@@ -1,13 +1,12 @@
 use super::*;
 use crate::environment::Environment;
-use crate::gpu::for_tests::gpu;
-use crate::gpu::{read_buffer, read_texture};
+use crate::gpu::for_tests::{BoundGroup, Canvas, compute_beside, gpu};
 use crate::pass::SkyPass;
 use crate::shader_lib::layout::assert_layout;
 use crate::uniforms::{Role, Shared};
 use crate::{Gpu, TargetFormat};
 use whitecap_scene::panorama::Panorama;
-use whitecap_scene::{Camera, Scene, ToneMap};
+use whitecap_scene::{Camera, Scene};
 use whitecap_waves::optics::atmosphere::Atmosphere;
 
 #[test]
@@ -18,6 +17,7 @@ fn rust_and_wgsl_agree_about_layout() {
         "GpuAir",
         [toward_sun, sun_radius_rad, sun_klx, haze, eye_km, horizon_rad, clouds, visibility_m]
     );
+    assert_layout!(GpuPicture, shader_lib::LINEAR_SKY.wgsl, "GpuPicture", [exposure, tone_map]);
 }
 
 /// Layout twin of `TwinInput` in `twins.wesl`.
@@ -46,7 +46,7 @@ fn view_from(eye_m: f64) -> View {
 
 fn shared_under(gpu: &Gpu, scene: &Scene, target: TargetFormat) -> Shared {
     let environment = Environment::linear(scene).unwrap();
-    Shared::new(&gpu.device, &gpu.queue, &environment, ToneMap::Agx, target)
+    Shared::new(&gpu.device, &gpu.queue, &environment, target)
 }
 
 fn prepare(gpu: &Gpu, shared: &mut Shared, eyes_m: &[f64]) {
@@ -58,55 +58,14 @@ fn prepare(gpu: &Gpu, shared: &mut Shared, eyes_m: &[f64]) {
 
 /// Sky, aerial perspective and disc for each input, as view `view` sees them.
 fn ask(gpu: &Gpu, shared: &Shared, view: usize, inputs: &[Asked]) -> Vec<[[f32; 4]; 3]> {
-    let device = &gpu.device;
-    let entry = |binding, read_only| wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::COMPUTE,
-        ty: wgpu::BindingType::Buffer {
-            ty: wgpu::BufferBindingType::Storage { read_only },
-            has_dynamic_offset: false,
-            min_binding_size: None,
-        },
-        count: None,
+    let environment = BoundGroup {
+        index: 1,
+        layout: &shared.environment_layout,
+        group: shared.skies.as_ref().unwrap().group(view).unwrap(),
+        offsets: &[],
     };
-    let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: None,
-        entries: &[entry(0, true), entry(1, false)],
-    });
-    let buffer = |size: usize, usage| {
-        device.create_buffer(&wgpu::BufferDescriptor {
-            label: None,
-            size: size as u64,
-            usage: usage | wgpu::BufferUsages::STORAGE,
-            mapped_at_creation: false,
-        })
-    };
-    let input = buffer(size_of_val(inputs), wgpu::BufferUsages::COPY_DST);
-    gpu.queue.write_buffer(&input, 0, bytemuck::cast_slice(inputs));
-    let output = buffer(inputs.len() * 48, wgpu::BufferUsages::COPY_SRC);
-    let io = bind_group(device, "io", &layout, [input.as_entire_binding(), output.as_entire_binding()]);
-    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: None,
-        layout: Some(&device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: None,
-            bind_group_layouts: &[Some(&layout), Some(&shared.environment_layout)],
-            immediate_size: 0,
-        })),
-        module: &shader_lib::ATMOSPHERE_TWINS.module(device),
-        entry_point: Some("cs_run"),
-        compilation_options: Default::default(),
-        cache: None,
-    });
-    let mut encoder = device.create_command_encoder(&Default::default());
-    {
-        let mut pass = encoder.begin_compute_pass(&Default::default());
-        pass.set_pipeline(&pipeline);
-        pass.set_bind_group(0, &io, &[]);
-        pass.set_bind_group(1, shared.skies.as_ref().unwrap().group(view).unwrap(), &[]);
-        pass.dispatch_workgroups((inputs.len() as u32).div_ceil(64), 1, 1);
-    }
-    gpu.queue.submit([encoder.finish()]);
-    bytemuck::pod_collect_to_vec(&read_buffer(device, &gpu.queue, &output).unwrap())
+    let twins = &shader_lib::ATMOSPHERE_TWINS;
+    compute_beside(&gpu.device, &gpu.queue, twins, "cs_run", inputs, 0, &[environment])
 }
 
 fn color(v: [f32; 4]) -> DVec3 {
@@ -258,8 +217,7 @@ fn clouds_are_those_of_the_map_from_below() {
     let Some(gpu) = gpu() else { return };
     let scene = scene_under("sun_elevation_deg = 30.0\ncloud_cover = 0.8");
     let environment = Environment::linear(&scene).unwrap();
-    let mut shared =
-        Shared::new(&gpu.device, &gpu.queue, &environment, ToneMap::Agx, TargetFormat::default());
+    let mut shared = Shared::new(&gpu.device, &gpu.queue, &environment, TargetFormat::default());
     prepare(gpu, &mut shared, &[1.0, 10e3]);
     let (sun, air) = (toward_sun_of(&shared), Atmosphere::new(1.0));
     let directions: Vec<DVec3> = (0..60)
@@ -319,42 +277,11 @@ fn the_drawn_sky_is_the_atmospheres() {
     let view = view_from(2.0);
     shared.write_views(queue, &[view]).unwrap();
     prepare(gpu, &mut shared, &[2.0]);
-    let attachment = |format| {
-        let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
-        texture_2d(device, "target", view.size_px, 1, format, usage)
-    };
-    let (color_target, depth) = (attachment(target.color), attachment(target.depth));
-    let [color_view, depth_view] = [&color_target, &depth].map(|t| t.create_view(&Default::default()));
+    let canvas = Canvas::new(gpu, &target, view.size_px);
     let mut encoder = device.create_command_encoder(&Default::default());
-    {
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: None,
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &color_view,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
-                    store: wgpu::StoreOp::Store,
-                },
-            })],
-            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &depth_view,
-                depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(target.far_depth()),
-                    store: wgpu::StoreOp::Discard,
-                }),
-                stencil_ops: None,
-            }),
-            timestamp_writes: None,
-            occlusion_query_set: None,
-            multiview_mask: None,
-        });
-        sky.draw(&mut pass, &shared, 0, Role::Main);
-    }
+    canvas.draw(&mut encoder, wgpu::Color::BLACK, |pass| sky.draw(pass, &shared, 0, Role::Main));
     queue.submit([encoder.finish()]);
-    let texels: Vec<[f16; 4]> =
-        bytemuck::pod_collect_to_vec(&read_texture(device, queue, &color_target).unwrap());
+    let texels: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&canvas.pixels());
     let (air, sun) = (Atmosphere::new(1.0), toward_sun_of(&shared));
     let eye_world_from_clip = view.clip_from_eye_world().inverse();
     let [width, height] = view.size_px;

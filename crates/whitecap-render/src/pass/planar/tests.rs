@@ -9,7 +9,6 @@ use crate::uniforms::Shared;
 use glam::{DVec3, Vec2, Vec4Swizzles};
 use std::sync::Arc;
 use whitecap_scene::Scene;
-use whitecap_scene::ToneMap;
 use whitecap_scene::mesh::Mesh;
 use whitecap_scene::object::Model;
 
@@ -90,7 +89,7 @@ fn render(gpu: &Gpu, models: Vec<Model>, settings: PlanarSettings, views: &[View
     let (device, queue) = (&gpu.device, &gpu.queue);
     let scene = whitecap_scene::open("meshuggah").unwrap();
     let environment = Environment::new(&scene).unwrap();
-    let shared = Shared::new(device, queue, &environment, ToneMap::Agx, TargetFormat::default());
+    let shared = Shared::new(device, queue, &environment, TargetFormat::default());
     let objects = Objects::of_models(device, queue, models, None);
     let build = Build::under_white_light(device, queue, &scene, &shared, &objects);
     let mut pass = PlanarPass::new(&build, settings);

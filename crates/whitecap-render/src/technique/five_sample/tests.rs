@@ -1,8 +1,8 @@
 #![allow(clippy::unwrap_used)] // a test that cannot go on should stop
 
 use super::*;
-use crate::gpu::for_tests::{compute, gpu};
-use crate::gpu::{Gpu, read_texture};
+use crate::gpu::Gpu;
+use crate::gpu::for_tests::{Canvas, compute, gpu};
 use crate::picture::{PictureRequest, render_picture};
 use crate::shader_lib::{self, layout::assert_layout};
 use crate::{TargetFormat, Water};
@@ -220,41 +220,18 @@ fn look(eye: DVec3, toward: DVec3) -> View {
 /// The water, and the sky if asked for, as one view's raw pixels; what nothing covers is magenta.
 fn draw(gpu: &Gpu, water: &mut Water, view: View, time_s: f64, sky: bool) -> Vec<u8> {
     let (device, queue) = (&gpu.device, &gpu.queue);
-    let texture = |format| {
-        let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
-        crate::gpu::resources::texture_2d(device, "test", SIZE, 1, format, usage)
-    };
-    let target = TargetFormat::default();
-    let (color, depth) = (texture(target.color), texture(target.depth));
-    let [color_view, depth_view] = [&color, &depth].map(|t| t.create_view(&Default::default()));
+    let canvas = Canvas::new(gpu, &TargetFormat::default(), SIZE);
     let mut encoder = device.create_command_encoder(&Default::default());
     water.prepare(device, queue, &mut encoder, &[view], time_s).unwrap();
-    {
-        let magenta = wgpu::Color { r: 1.0, g: 0.0, b: 1.0, a: 1.0 };
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &color_view,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(magenta), store: wgpu::StoreOp::Store },
-            })],
-            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &depth_view,
-                depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(target.far_depth()),
-                    store: wgpu::StoreOp::Store,
-                }),
-                stencil_ops: None,
-            }),
-            ..Default::default()
-        });
-        water.draw_surface(&mut pass, 0);
+    let magenta = wgpu::Color { r: 1.0, g: 0.0, b: 1.0, a: 1.0 };
+    canvas.draw(&mut encoder, magenta, |pass| {
+        water.draw_surface(pass, 0);
         if sky {
-            water.draw_sky(&mut pass, 0);
+            water.draw_sky(pass, 0);
         }
-    }
+    });
     queue.submit([encoder.finish()]);
-    read_texture(device, queue, &color).unwrap()
+    canvas.pixels()
 }
 
 fn water(gpu: &Gpu, toml: &str) -> Water {

@@ -1,16 +1,14 @@
 use super::gpu::{GpuMeshuggah, bind_group, group_layout};
 use super::*;
+use crate::TargetFormat;
 use crate::environment::Environment;
-use crate::gpu::for_tests::gpu;
+use crate::gpu::for_tests::{BoundGroup, compute_beside, gpu};
 use crate::pass::Objects;
 use crate::shader_lib::{self, layout::assert_layout};
 use crate::surface::Backend;
 use crate::uniforms::Shared;
-use crate::{TargetFormat, gpu::read_buffer};
 use glam::{Vec2, Vec3};
-use wgpu::util::DeviceExt;
 use whitecap_scene::Scene;
-use whitecap_scene::ToneMap;
 
 const TOWARD_SUN: Vec3 = Vec3::new(0.954, 0.3, 0.0);
 
@@ -65,7 +63,7 @@ fn with_backend(
     edit(&mut toml);
     let scene = Scene::from_toml(&toml, "test.toml").unwrap();
     let environment = Environment::new(&scene).unwrap();
-    let shared = Shared::new(device, queue, &environment, ToneMap::Agx, TargetFormat::default());
+    let shared = Shared::new(device, queue, &environment, TargetFormat::default());
     let objects = Objects::new(device, queue, &scene).unwrap();
     let whitecap_scene::Technique::Meshuggah(settings) = &scene.technique else { panic!() };
     let build = Build {
@@ -108,64 +106,13 @@ fn read_vertices(
     let colors = super::gpu::water_colors(&technique.settings, Vec3::ONE, 0.3);
     let group = bind_group(&build, &layout, &technique.maps, &technique.slots, &colors);
     technique.slots.write(queue, 3, &technique.uniforms(view));
-
-    let storage = |read_only| wgpu::BindingType::Buffer {
-        ty: wgpu::BufferBindingType::Storage { read_only },
-        has_dynamic_offset: false,
-        min_binding_size: None,
+    let water = BoundGroup {
+        index: 2,
+        layout: &layout,
+        group: &group,
+        offsets: &[ViewSlots::<GpuMeshuggah>::offset(3)],
     };
-    let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::COMPUTE,
-        ty,
-        count: None,
-    };
-    let io_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: None,
-        entries: &[entry(0, storage(true)), entry(1, storage(false))],
-    });
-    let input = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-        label: None,
-        contents: bytemuck::cast_slice(grid),
-        usage: wgpu::BufferUsages::STORAGE,
-    });
-    let output = device.create_buffer(&wgpu::BufferDescriptor {
-        label: None,
-        size: grid.len() as u64 * 32,
-        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
-        mapped_at_creation: false,
-    });
-    let io = device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: None,
-        layout: &io_layout,
-        entries: &[
-            wgpu::BindGroupEntry { binding: 0, resource: input.as_entire_binding() },
-            wgpu::BindGroupEntry { binding: 1, resource: output.as_entire_binding() },
-        ],
-    });
-    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: None,
-        layout: Some(&device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: None,
-            bind_group_layouts: &[None, None, Some(&layout), Some(&io_layout)],
-            immediate_size: 0,
-        })),
-        module: &shader_lib::MESHUGGAH_VERTICES.module(device),
-        entry_point: Some("cs_displace"),
-        compilation_options: Default::default(),
-        cache: None,
-    });
-    let mut encoder = device.create_command_encoder(&Default::default());
-    {
-        let mut pass = encoder.begin_compute_pass(&Default::default());
-        pass.set_pipeline(&pipeline);
-        pass.set_bind_group(2, &group, &[ViewSlots::<GpuMeshuggah>::offset(3)]);
-        pass.set_bind_group(3, &io, &[]);
-        pass.dispatch_workgroups((grid.len() as u32).div_ceil(64), 1, 1);
-    }
-    queue.submit([encoder.finish()]);
-    let bytes = read_buffer(device, queue, &output).unwrap();
-    bytemuck::pod_collect_to_vec::<u8, [[f32; 4]; 2]>(&bytes)
+    compute_beside(device, queue, &shader_lib::MESHUGGAH_VERTICES, "cs_displace", grid, 3, &[water])
 }
 
 /// What the GPU draws is what the model says at that place of the world, to 1e-4 of Hs: here, a

@@ -1,15 +1,14 @@
 use super::gpu::GpuOceanWater;
 use super::*;
 use crate::environment::Environment;
-use crate::gpu::for_tests::{compute, gpu};
-use crate::gpu::resources::{bind_group, texture_2d};
-use crate::gpu::{read_buffer, read_texture};
+use crate::gpu::for_tests::{Canvas, compute, gpu};
+use crate::gpu::read_buffer;
+use crate::gpu::resources::bind_group;
 use crate::pass::Objects;
 use crate::shader_lib::{self, layout::assert_layout};
 use crate::uniforms::Shared;
 use crate::{Gpu, TargetFormat, Water};
 use glam::{Vec3, Vec3Swizzles};
-use whitecap_scene::ToneMap;
 use whitecap_scene::{Camera, Scene};
 use whitecap_waves::model::Surface;
 use whitecap_waves::optics::classics::{BumpFrame, HIGHLIGHT_COLOR, ocean_water_pixel};
@@ -182,7 +181,6 @@ fn environment_of(radiance: impl Fn(Vec3) -> Vec3 + Sync) -> Environment {
         irradiance: Vec3::ONE,
         skylight: Vec3::ONE,
         daylight: 1.0,
-        exposure: 1.0,
         light: None,
     }
 }
@@ -195,7 +193,7 @@ fn view_of(eye_m: DVec3, toward: DVec3, size_px: [u32; 2]) -> View {
 fn with_technique(scene: &Scene, test: impl FnOnce(&Gpu, OceanWater)) {
     let Some(gpu) = gpu() else { return };
     let (device, queue) = (&gpu.device, &gpu.queue);
-    let shared = Shared::new(device, queue, environment(), ToneMap::Agx, TargetFormat::default());
+    let shared = Shared::new(device, queue, environment(), TargetFormat::default());
     let objects = Objects::new(device, queue, scene).unwrap();
     let whitecap_scene::Technique::OceanWater(settings) = &scene.technique else { panic!() };
     let build = Build::under_white_light(device, queue, scene, &shared, &objects);
@@ -313,36 +311,12 @@ const NOTHING: wgpu::Color = wgpu::Color { r: 1.0, g: 0.0, b: 1.0, a: 1.0 };
 /// The water alone, one sample a pixel.
 fn frame(gpu: &Gpu, water: &mut Water, view: View, time_s: f64) -> Vec<u8> {
     let (device, queue) = (&gpu.device, &gpu.queue);
-    let target = TargetFormat::default();
-    use wgpu::TextureUsages as U;
-    let usage = U::RENDER_ATTACHMENT | U::COPY_SRC;
-    let color = texture_2d(device, "frame", view.size_px, 1, target.color, usage);
-    let depth = texture_2d(device, "depth", view.size_px, 1, target.depth, U::RENDER_ATTACHMENT);
+    let canvas = Canvas::new(gpu, &TargetFormat::default(), view.size_px);
     let mut encoder = device.create_command_encoder(&Default::default());
     water.prepare(device, queue, &mut encoder, &[view], time_s).unwrap();
-    {
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: None,
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &color.create_view(&Default::default()),
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(NOTHING), store: wgpu::StoreOp::Store },
-            })],
-            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &depth.create_view(&Default::default()),
-                depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(target.far_depth()),
-                    store: wgpu::StoreOp::Discard,
-                }),
-                stencil_ops: None,
-            }),
-            ..Default::default()
-        });
-        water.draw(&mut pass, 0);
-    }
+    canvas.draw(&mut encoder, NOTHING, |pass| water.draw(pass, 0));
     queue.submit([encoder.finish()]);
-    read_texture(device, queue, &color).unwrap()
+    canvas.pixels()
 }
 
 fn water(gpu: &Gpu, scene: &Scene, environment: &Environment) -> Water {

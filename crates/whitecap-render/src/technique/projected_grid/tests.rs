@@ -8,7 +8,6 @@ use crate::shader_lib::{self, layout::assert_layout};
 use crate::uniforms::Shared;
 use glam::{DVec2, DVec3, DVec4};
 use half::f16;
-use whitecap_scene::ToneMap;
 use whitecap_scene::{Camera, Scene};
 use whitecap_waves::model::Surface;
 use whitecap_waves::optics::classics::{mirrored_coordinates, sun_glint};
@@ -54,7 +53,7 @@ fn fixture(edit: impl Fn(&mut Scene), eye_m: DVec3, time_s: f64) -> Option<Fixtu
     sea.strength_m = STRENGTH_M;
     edit(&mut scene);
     let environment = Environment::new(&scene).unwrap();
-    let shared = Shared::new(device, queue, &environment, ToneMap::Agx, TargetFormat::default());
+    let shared = Shared::new(device, queue, &environment, TargetFormat::default());
     let objects = Objects::new(device, queue, &scene).unwrap();
     let build = Build::under_white_light(device, queue, &scene, &shared, &objects);
     let whitecap_scene::Technique::ProjectedGrid(settings) = &scene.technique else { panic!() };
@@ -258,7 +257,7 @@ fn no_water_in_view_draws_nothing() {
     assert!(fixture.technique.views[0].sees_water);
     let scene = whitecap_scene::open("projected-grid").unwrap();
     let environment = Environment::new(&scene).unwrap();
-    let shared = Shared::new(&gpu.device, &gpu.queue, &environment, ToneMap::Agx, TargetFormat::default());
+    let shared = Shared::new(&gpu.device, &gpu.queue, &environment, TargetFormat::default());
     let objects = Objects::new(&gpu.device, &gpu.queue, &scene).unwrap();
     let up = View { view_from_world: glam::Quat::from_rotation_x(-1.5), ..fixture.view };
     let mut encoder = gpu.device.create_command_encoder(&Default::default());

@@ -1,7 +1,10 @@
 use super::gpu::{NORMALISE_VECTORS, SWAP_BUMP, SWAP_REFRACTION};
 use super::*;
 use crate::environment::Environment;
-use crate::gpu::{Gpu, for_tests::compute, for_tests::gpu, resources::texture_2d};
+use crate::gpu::{
+    Gpu,
+    for_tests::{Canvas, compute, gpu},
+};
 use crate::pass::Objects;
 use crate::pass::planar_tests::{BLUE, Map, RED, block, is_blue, is_red, view_of};
 use crate::shader_lib::{self, layout::assert_layout};
@@ -9,7 +12,6 @@ use crate::uniforms::Shared;
 use crate::{TargetFormat, View};
 use glam::{Vec2, Vec2Swizzles, Vec3, Vec4, Vec4Swizzles};
 use whitecap_scene::Scene;
-use whitecap_scene::ToneMap;
 use whitecap_scene::object::Model;
 use whitecap_waves::model::Surface;
 use whitecap_waves::optics::classics::{
@@ -60,7 +62,7 @@ impl<'g> Fixture<'g> {
     fn new(gpu: &'g Gpu, scene: &Scene, models: Vec<Model>) -> Fixture<'g> {
         let (device, queue) = (&gpu.device, &gpu.queue);
         let environment = Environment::new(scene).unwrap();
-        let shared = Shared::new(device, queue, &environment, ToneMap::Agx, TargetFormat::default());
+        let shared = Shared::new(device, queue, &environment, TargetFormat::default());
         let objects = Objects::of_models(device, queue, models, None);
         let lake = Self::lake(gpu, scene, &shared, &objects);
         Fixture { gpu, shared, objects, lake }
@@ -90,38 +92,14 @@ impl<'g> Fixture<'g> {
         let mut encoder = device.create_command_encoder(&Default::default());
         self.prepare(&mut encoder, views, time_s);
         let target = self.shared.target;
-        let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
-        let texture = |view: &View, format| texture_2d(device, "test", view.size_px, 1, format, usage);
         let mut pictures = Vec::new();
         for (index, view) in views.iter().enumerate() {
-            let (color, depth) = (texture(view, target.color), texture(view, target.depth));
-            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-                label: None,
-                color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                    view: &color.create_view(&Default::default()),
-                    depth_slice: None,
-                    resolve_target: None,
-                    ops: wgpu::Operations {
-                        load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
-                        store: wgpu::StoreOp::Store,
-                    },
-                })],
-                depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                    view: &depth.create_view(&Default::default()),
-                    depth_ops: Some(wgpu::Operations {
-                        load: wgpu::LoadOp::Clear(target.far_depth()),
-                        store: wgpu::StoreOp::Store,
-                    }),
-                    stencil_ops: None,
-                }),
-                timestamp_writes: None,
-                occlusion_query_set: None,
-                multiview_mask: None,
+            let canvas = Canvas::new(self.gpu, &target, view.size_px);
+            canvas.draw(&mut encoder, wgpu::Color::BLACK, |pass| {
+                self.shared.bind(pass, index, Role::Main);
+                self.lake.draw(pass, index);
             });
-            self.shared.bind(&mut pass, index, Role::Main);
-            self.lake.draw(&mut pass, index);
-            drop(pass);
-            pictures.push(color);
+            pictures.push(canvas.color);
         }
         queue.submit([encoder.finish()]);
         pictures.iter().map(|picture| Map::read(self.gpu, picture)).collect()

@@ -1,15 +1,14 @@
 use super::gpu::{group_layout, ocean_group};
 use super::*;
+use crate::TargetFormat;
 use crate::environment::Environment;
-use crate::gpu::for_tests::gpu;
-use crate::gpu::resources::{bind_group, buffer};
+use crate::gpu::for_tests::{BoundGroup, compute_beside, gpu};
+use crate::gpu::resources::buffer;
 use crate::pass::Objects;
 use crate::shader_lib::{self, layout::assert_layout};
 use crate::uniforms::Shared;
-use crate::{TargetFormat, gpu::read_buffer};
 use glam::{DVec3, Vec2};
 use whitecap_scene::Scene;
-use whitecap_scene::ToneMap;
 use whitecap_waves::model::TileFields;
 
 #[test]
@@ -43,7 +42,7 @@ fn with_technique(scene: &Scene, test: impl FnOnce(&wgpu::Device, &wgpu::Queue, 
     let Some(gpu) = gpu() else { return };
     let (device, queue) = (&gpu.device, &gpu.queue);
     let environment = Environment::new(scene).unwrap();
-    let shared = Shared::new(device, queue, &environment, ToneMap::Agx, TargetFormat::default());
+    let shared = Shared::new(device, queue, &environment, TargetFormat::default());
     let objects = Objects::new(device, queue, scene).unwrap();
     let whitecap_scene::Technique::SpectralOcean(settings) = &scene.technique else { panic!() };
     let build = Build {
@@ -82,47 +81,13 @@ fn read_vertices(
     let waters = buffer(device, queue, "waters", &[0; size_of::<GpuWaters>()], wgpu::BufferUsages::UNIFORM);
     let group = ocean_group(device, &layout, &technique.tiles, &technique.foam, &waters, &technique.slots);
     technique.slots.write(queue, 3, &technique.uniforms(view));
-    let entry = |binding, read_only| wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::COMPUTE,
-        ty: wgpu::BindingType::Buffer {
-            ty: wgpu::BufferBindingType::Storage { read_only },
-            has_dynamic_offset: false,
-            min_binding_size: None,
-        },
-        count: None,
+    let ocean = BoundGroup {
+        index: 2,
+        layout: &layout,
+        group: &group,
+        offsets: &[ViewSlots::<GpuSpectralOcean>::offset(3)],
     };
-    let io_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: None,
-        entries: &[entry(0, true), entry(1, false)],
-    });
-    let storage = wgpu::BufferUsages::STORAGE;
-    let input = buffer(device, queue, "grid", bytemuck::cast_slice(grid), storage);
-    let output =
-        buffer(device, queue, "out", bytemuck::cast_slice(grid), storage | wgpu::BufferUsages::COPY_SRC);
-    let io = bind_group(device, "io", &io_layout, [input.as_entire_binding(), output.as_entire_binding()]);
-    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: None,
-        layout: Some(&device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: None,
-            bind_group_layouts: &[None, None, Some(&layout), Some(&io_layout)],
-            immediate_size: 0,
-        })),
-        module: &shader_lib::SPECTRAL_OCEAN_VERTICES.module(device),
-        entry_point: Some("cs_displace"),
-        compilation_options: Default::default(),
-        cache: None,
-    });
-    let mut encoder = device.create_command_encoder(&Default::default());
-    {
-        let mut pass = encoder.begin_compute_pass(&Default::default());
-        pass.set_pipeline(&pipeline);
-        pass.set_bind_group(2, &group, &[ViewSlots::<GpuSpectralOcean>::offset(3)]);
-        pass.set_bind_group(3, &io, &[]);
-        pass.dispatch_workgroups((grid.len() as u32).div_ceil(64), 1, 1);
-    }
-    queue.submit([encoder.finish()]);
-    bytemuck::pod_collect_to_vec(&read_buffer(device, queue, &output).unwrap())
+    compute_beside(device, queue, &shader_lib::SPECTRAL_OCEAN_VERTICES, "cs_displace", grid, 3, &[ocean])
 }
 
 /// The cubic B-spline, `u` samples from its middle.

@@ -3,11 +3,11 @@
 
 use super::*;
 use crate::environment::{CubeMap, display_from_linear};
+use crate::gpu::for_tests::Canvas;
 use crate::gpu::resources::{texture_2d, write_level};
 use crate::pass::planar_tests::{RED, block, is_red};
 use glam::camera::rh::proj::directx::perspective;
 use std::sync::OnceLock;
-use whitecap_scene::ToneMap;
 use whitecap_scene::object::Model;
 use whitecap_waves::optics::classics::{ProjectedGridConstants, projected_grid_pixel};
 
@@ -25,7 +25,6 @@ fn environment() -> &'static Environment {
         irradiance: Vec3::ONE,
         skylight: Vec3::ONE,
         daylight: 1.0,
-        exposure: 1.0,
         light: None,
     })
 }
@@ -72,7 +71,7 @@ fn drawn(
     let mut scene = whitecap_scene::open("projected-grid").unwrap();
     level(&mut scene);
     edit(&mut scene);
-    let shared = Shared::new(device, queue, environment(), ToneMap::Agx, target);
+    let shared = Shared::new(device, queue, environment(), target);
     let objects = Objects::of_models(device, queue, models, None);
     let build = Build::under_white_light(device, queue, &scene, &shared, &objects);
     let whitecap_scene::Technique::ProjectedGrid(settings) = &scene.technique else { panic!() };
@@ -108,35 +107,14 @@ fn drawn(
         technique.pipeline.slots.write(queue, 0, &uniforms);
     }
 
-    use wgpu::TextureUsages as U;
-    let color =
-        texture_2d(device, "frame", view.size_px, 1, target.color, U::RENDER_ATTACHMENT | U::COPY_SRC);
-    let depth = texture_2d(device, "depth", view.size_px, 1, target.depth, U::RENDER_ATTACHMENT);
+    let canvas = Canvas::new(gpu, &target, view.size_px);
     let magenta = wgpu::Color { r: 1.0, g: 0.0, b: 1.0, a: 1.0 };
-    {
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: None,
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &color.create_view(&Default::default()),
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(magenta), store: wgpu::StoreOp::Store },
-            })],
-            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &depth.create_view(&Default::default()),
-                depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(target.far_depth()),
-                    store: wgpu::StoreOp::Discard,
-                }),
-                stencil_ops: None,
-            }),
-            ..Default::default()
-        });
-        shared.bind(&mut pass, 0, Role::Main);
-        technique.draw(&mut pass, 0);
-    }
+    canvas.draw(&mut encoder, magenta, |pass| {
+        shared.bind(pass, 0, Role::Main);
+        technique.draw(pass, 0);
+    });
     queue.submit([encoder.finish()]);
-    let pixels = read_texture(device, queue, &color).unwrap();
+    let pixels = canvas.pixels();
     let display = |pixel: &[u8]| DVec3::new(pixel[0].into(), pixel[1].into(), pixel[2].into()) / 255.0;
     Some(pixels.chunks(4).map(display).collect())
 }
