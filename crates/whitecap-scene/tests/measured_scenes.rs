@@ -144,6 +144,36 @@ fn a_passed_over_hour_is_a_warning() {
     assert!(said.contains("44097.swr1; accepted: another time, or from_deg"), "{said}");
 }
 
+/// Files of seas that are not found, and of files that end too soon, say so as parameters do.
+#[test]
+fn seas_that_cannot_be_are_refused_or_warned_of() {
+    let opened = |header: &str, densities: &str, water: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let scene = write(folder.path(), "measured = \"data/buoy.txt\"\nfrom_deg = 250.0");
+        let file = format!("YYYY MM DD hh {header}\n2020 06 08 03 {densities}\n");
+        std::fs::write(folder.path().join("data/buoy.txt"), file).unwrap();
+        let text = std::fs::read_to_string(&scene).unwrap();
+        std::fs::write(&scene, text.replace("[sea]\n", &format!("[sea]\n{water}\n"))).unwrap();
+        match Scene::load(&scene) {
+            Ok(scene) => scene.warnings.join("\n"),
+            Err(error) => error.to_string(),
+        }
+    };
+    const BANDS: &str = ".08 .10 .12 .14 .20 .40";
+    // 4√(0.02 · 23 …) = 2.8 m on waves of 156 m.
+    let usual = opened(BANDS, "1 10 8 4 1 .01", "");
+    assert!(!usual.contains("sea.system"), "{usual}");
+    for (densities, water, expected) in [
+        ("1e3 1e4 8e3 4e3 1e3 1", "", "buoy.txt: 103.6 m of significant height; accepted: up to 40 m"),
+        ("50 500 400 200 50 .5", "", "steeper than a sea can be: 2"),
+        ("1 10 8 4 1 .01", "depth_m = 4.0", "higher than the water can carry: "),
+        ("1 10 8 4 1 .8", "", "buoy.txt ends at 0.4 Hz, among its waves: "),
+    ] {
+        let said = opened(BANDS, densities, water);
+        assert!(said.contains(expected) && said.contains("sea.system[0]"), "{said}");
+    }
+}
+
 /// Text alone has no folder: nothing is opened, and what is written back is the same scene.
 #[test]
 fn text_is_read_without_its_files() {

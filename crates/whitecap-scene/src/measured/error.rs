@@ -87,6 +87,24 @@ pub enum MeasuredProblem {
         wanted: &'static str,
     },
 
+    /// A record that ends before others of its file do.
+    #[error("{bands} frequencies, the first of another record's {whole}; accepted: the record as a whole")]
+    CutShort {
+        /// How many frequencies it has.
+        bands: usize,
+        /// How many the other has.
+        whole: usize,
+    },
+
+    /// The waves are higher than any.
+    #[error("{height_m:.1} m of significant height; accepted: up to {most_m} m")]
+    TooHigh {
+        /// The record's own significant height, metres.
+        height_m: f64,
+        /// The most that a sea may have, metres.
+        most_m: f64,
+    },
+
     /// There is too much of something.
     #[error("{count} {what}; accepted: {least} to {most}")]
     Count {

@@ -1,5 +1,6 @@
 //! One record of a measured sea, whatever format it came in, and the spectrum that it makes.
 
+use std::borrow::Cow;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt;
 use std::sync::Arc;
@@ -127,16 +128,27 @@ impl MeasuredSea {
             Format::WaveWatch3 => quadrature::trapezoids(&self.frequencies_hz),
             Format::Swan => quadrature::log_bands(&self.frequencies_hz),
         };
-        let sum = |density: &[f64]| density.iter().zip(&widths).map(|(s, width)| s * width).sum();
+        self.density_m2phz().iter().zip(&widths).map(|(s, width)| s * width).sum()
+    }
+
+    /// The variance in m² that waves above the last frequency have if they go on from there as f⁻⁵, as those of a wind
+    /// sea do (Phillips, *J. Fluid Mech.* 4, 1958): S f/4 of the last frequency. The record does not have it.
+    pub fn variance_beyond_m2(&self) -> f64 {
+        let last = self.density_m2phz().last().copied().unwrap_or(0.0);
+        0.25 * last * self.frequencies_hz.last().copied().unwrap_or(0.0)
+    }
+
+    /// S(f) in m²/Hz of each frequency, over all directions; empty without waves.
+    fn density_m2phz(&self) -> Cow<'_, [f64]> {
         match &self.energy {
-            Energy::Missing | Energy::Calm => 0.0,
+            Energy::Missing | Energy::Calm => Cow::Borrowed(&[]),
             Energy::Omnidirectional { density }
             | Energy::Undirected { density, .. }
-            | Energy::Moments { density, .. } => sum(density),
+            | Energy::Moments { density, .. } => Cow::Borrowed(density),
             Energy::Directional { toward_rad, density } => {
                 let step = quadrature::direction_step(toward_rad);
                 let of_frequency = |row: &[f64]| row.iter().sum::<f64>() * step;
-                sum(&density.chunks_exact(toward_rad.len().max(1)).map(of_frequency).collect::<Vec<_>>())
+                density.chunks_exact(toward_rad.len().max(1)).map(of_frequency).collect()
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use whitecap_scene::measured::{from_bytes, load};
+use whitecap_scene::measured::{from_bytes, from_bytes_with_directions, load};
 
 use super::*;
 
@@ -68,6 +68,35 @@ fn ndbc_real_time() {
     assert_eq!(problem(header), "file:1: no record; accepted: at least one spectrum");
     let one = format!("{header}\n2020 06 08 03 50 0.2 1.0 (0.1)\n");
     assert_eq!(problem(&one), "file:2: 1 frequencies; accepted: 2 to 1000");
+}
+
+/// Cut short anywhere, a record never passes for a lower sea while another of the file is whole.
+#[test]
+fn ndbc_real_time_cut_short() {
+    refuses(
+        DATA_SPEC,
+        "4.000 (0.110) 2.000 (0.120)\n",
+        "4.000 (0.110)\n",
+        "file:2: 2 frequencies, the first of another record's 3; accepted: the record as a whole",
+    );
+    // The oldest ends the file.
+    let ended = DATA_SPEC.trim_end().strip_suffix(" 0.000 (0.120)").unwrap();
+    assert!(problem(ended).starts_with("file:5: 2 frequencies, the first"), "{}", problem(ended));
+    let line = DATA_SPEC.lines().nth(1).unwrap();
+    for end in 1..line.len() {
+        let cut = DATA_SPEC.replacen(line, &line[..end], 1);
+        let message = problem(&cut);
+        assert!(message.starts_with("file:2: "), "{}: {message}", &line[..end]);
+    }
+    // A file of directions: a whole hour, and the first half of another.
+    let mut directions = DIRECTIONS.map(str::to_owned);
+    directions[2].push_str("2020 06 08 02 50 0.80 (0.100) 0.80 (0.110)\n");
+    let files = directions.each_ref().map(|file| file.as_bytes());
+    let said = from_bytes_with_directions(DATA_SPEC.as_bytes(), files, "x").unwrap_err().to_string();
+    assert!(said.starts_with("x (.swr1):3: 2 frequencies, the first of another record's 3"), "{said}");
+    // Another instrument, with bands of its own.
+    let other = format!("{DATA_SPEC}2020 06 07 23 50 0.2 1.0 (0.095) 1.0 (0.115)\n");
+    assert_eq!(read(&other).len(), 5);
 }
 
 #[test]

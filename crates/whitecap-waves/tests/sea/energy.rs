@@ -3,13 +3,17 @@
 use crate::{TILE, WIND, one_wave, wind_sea};
 use glam::DVec2;
 use std::f64::consts::TAU;
+use whitecap_waves::ParameterError;
 use whitecap_waves::dispersion::Dispersion;
 use whitecap_waves::model::spectral::{Amplitudes, SpectralTile, SpectralTileParameters, Water};
 use whitecap_waves::model::{Surface, TileFields, WaveModel};
-use whitecap_waves::spectrum::WaveSpectrum;
 use whitecap_waves::spectrum::directional::{Directional, DirectionalParameters};
+use whitecap_waves::spectrum::elfouhaily::Elfouhaily;
 use whitecap_waves::spectrum::jonswap::Jonswap;
 use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
+use whitecap_waves::spectrum::pierson_moskowitz::PiersonMoskowitz;
+use whitecap_waves::spectrum::tma::Tma;
+use whitecap_waves::spectrum::{Omnidirectional, WaveSpectrum};
 use whitecap_waves::spreading::{Spread, Spreading};
 use whitecap_waves::statistics::{LatticeWaves, Moments, significant_height_m};
 
@@ -93,6 +97,52 @@ fn gaussian_seas_have_it_on_average_and_differ() {
     assert!((mean - 1.0).abs() < 0.03, "{mean}");
     // The relative deviation of m0 is √Σ(ΨΔk²)²/m0, about a tenth for this sea.
     assert!((0.03..0.3).contains(&spread), "{spread}");
+}
+
+/// Over 32 seeds a Gaussian sea has the height of its spectrum within 3 %, whatever the spectrum.
+#[test]
+fn gaussian_seas_of_every_spectrum_have_their_height() {
+    for (name, spectrum) in every_spectrum() {
+        let tile = |seed| SpectralTileParameters {
+            tile_size_m: 1200.0,
+            seed,
+            amplitudes: Amplitudes::Gaussian,
+            ..TILE
+        };
+        let mut sum = 0.0;
+        let mut expected = 0.0;
+        for seed in 0..32 {
+            let mut sea = SpectralTile::new(tile(seed), &[&spectrum]).unwrap();
+            sum += measured_variance(&mut sea, 3.0) / 32.0;
+            expected = sea.captured_fraction() * spectrum.variance_m2();
+        }
+        let ratio = (sum / expected).sqrt();
+        assert!((ratio - 1.0).abs() < 0.03, "{name}: {ratio}");
+    }
+}
+
+/// Each spectrum under a wind of 10 m/s.
+fn every_spectrum() -> Vec<(&'static str, Box<dyn WaveSpectrum>)> {
+    fn spread<S: Omnidirectional + 'static>(
+        sea: Result<S, ParameterError>,
+        dispersion: Dispersion,
+    ) -> Box<dyn WaveSpectrum> {
+        let parameters = DirectionalParameters {
+            spread: Spread { spreading: Spreading::Cos2s { exponent: 8.0 }, swell: 0.0 },
+            toward: DVec2::from_angle(0.4),
+            dispersion,
+        };
+        Box::new(Directional::new(sea.unwrap(), parameters).unwrap())
+    }
+    let shallow = Dispersion::at_depth(15.0).unwrap();
+    let jonswap = || Jonswap::from_wind_and_fetch(10.0, 1e5, 3.3);
+    vec![
+        ("Phillips", Box::new(Phillips::new(WIND).unwrap())),
+        ("Pierson-Moskowitz", spread(PiersonMoskowitz::from_wind(10.0), Dispersion::DEEP)),
+        ("JONSWAP", spread(jonswap(), Dispersion::DEEP)),
+        ("TMA", spread(Tma::over(jonswap().unwrap(), 15.0), shallow)),
+        ("Elfouhaily", spread(Elfouhaily::from_wind(10.0), Dispersion::DEEP)),
+    ]
 }
 
 /// Where waves run against each other they interfere, and a Gaussian sea has them: the variance swings, but not its mean

@@ -41,10 +41,11 @@ pub(in super::super) fn read(
     let directions = companions.map(read_companions).transpose()?;
     let place = Arc::new(place(name));
     let mut frequencies_hz: Arc<[f64]> = Arc::new([]);
-    let mut seas = Vec::new();
+    let (mut seas, mut bands) = (Vec::new(), Bands::default());
     while let Some(row) = row(&mut text, &DENSITY)? {
         text.points(Some(&row.frequencies_hz.len().to_string()), "frequencies", 2)?;
         text.ascending(&row.frequencies_hz)?;
+        bands.note(&row.frequencies_hz, &text);
         if *row.frequencies_hz != *frequencies_hz {
             frequencies_hz = row.frequencies_hz.into();
         }
@@ -66,7 +67,41 @@ pub(in super::super) fn read(
         };
         text.push(&mut seas, sea)?;
     }
+    bands.whole()?;
     if seas.is_empty() { Err(text.error(MeasuredProblem::NoRecord)) } else { Ok(seas) }
+}
+
+/// The bands that lines of a file have, each with an error at the first line of them. A buoy that gets another instrument
+/// has other bands from then on; a line with the first of another's bands and no more was cut short.
+#[derive(Default)]
+struct Bands(BTreeMap<Vec<u64>, MeasuredError>);
+
+impl Bands {
+    fn note(&mut self, frequencies_hz: &[f64], text: &Text<'_>) {
+        // The bits of positive numbers are in the numbers' order.
+        let bits: Vec<u64> = frequencies_hz.iter().map(|hz| hz.to_bits()).collect();
+        let bands = bits.len();
+        let cut_short = || text.error(MeasuredProblem::CutShort { bands, whole: 0 });
+        self.0.entry(bits).or_insert_with(cut_short);
+    }
+
+    /// An error if a line was cut short.
+    fn whole(self) -> Result<(), MeasuredError> {
+        let mut shorter: Option<(Vec<u64>, MeasuredError)> = None;
+        // What begins another comes right before it, or before one that begins so too.
+        for (bits, error) in self.0 {
+            match shorter {
+                Some((begins, mut error)) if bits.starts_with(&begins) => {
+                    if let MeasuredProblem::CutShort { whole, .. } = &mut error.problem {
+                        *whole = bits.len();
+                    }
+                    return Err(error);
+                }
+                _ => shorter = Some((bits, error)),
+            }
+        }
+        Ok(())
+    }
 }
 
 /// α₁, α₂, r₁ and r₂ of every time: frequencies in units of 10⁻⁴ Hz, and values.
@@ -107,8 +142,9 @@ fn read_companions(files: [(&[u8], &str); 4]) -> Result<Companions, MeasuredErro
     let mut read: [BTreeMap<Time, BTreeMap<u32, f64>>; 4] = Default::default();
     for (i, ((bytes, name), times)) in files.into_iter().zip(&mut read).enumerate() {
         let column = if i < 2 { BEARING } else { RATIO };
-        let mut text = Text::new(bytes, name)?;
+        let (mut text, mut bands) = (Text::new(bytes, name)?, Bands::default());
         while let Some(row) = row(&mut text, &column)? {
+            bands.note(&row.frequencies_hz, &text);
             let values = times.entry(row.time).or_default();
             for (hz, value) in row.frequencies_hz.into_iter().zip(row.values) {
                 if let Some(value) = value {
@@ -116,6 +152,7 @@ fn read_companions(files: [(&[u8], &str); 4]) -> Result<Companions, MeasuredErro
                 }
             }
         }
+        bands.whole()?;
     }
     Ok(Companions { files: read, names: files.map(|(_, name)| name.into()) })
 }

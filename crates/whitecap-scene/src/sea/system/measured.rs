@@ -3,10 +3,11 @@
 use std::path::PathBuf;
 
 use whitecap_waves::dispersion::Dispersion;
-use whitecap_waves::spectrum::WaveSpectrum;
 use whitecap_waves::spectrum::tabulated;
+use whitecap_waves::spectrum::{Profile, WaveSpectrum};
 use whitecap_waves::statistics::significant_height_m;
 
+use super::{asked::HEIGHT, warnings};
 use crate::error::SceneError;
 use crate::key::{Count, File, Moment, Name, OneOf, Real, optional, required, table, words};
 use crate::measured::{self, Directions, MeasuredProblem, MeasuredSea, Selection, Time, When};
@@ -93,7 +94,13 @@ impl MeasuredSystem {
             from_deg: self.from_deg,
             cos2s: self.cos2s,
         };
-        match self.load(table)?.spectrum(&directions, water) {
+        let record = self.load(table)?;
+        let height_m = significant_height_m(record.variance_m2());
+        let spectrum = match height_m > HEIGHT.max {
+            true => Err(MeasuredProblem::TooHigh { height_m, most_m: HEIGHT.max }),
+            false => record.spectrum(&directions, water),
+        };
+        match spectrum {
             Ok(spectrum) => Ok(Box::new(spectrum)),
             Err(problem) => Err(self.problem(table, &problem)),
         }
@@ -105,13 +112,18 @@ impl MeasuredSystem {
         Some(significant_height_m(record.variance_m2()))
     }
 
-    /// Where the newest record is passed over because it lacks directions, and where the energy between the file's
-    /// frequencies is not what the file's own sum says, as with few of them.
-    pub(super) fn warnings(&self, spectrum: &dyn WaveSpectrum) -> Vec<String> {
+    /// Where the newest record is passed over because it lacks directions, where the energy between the file's
+    /// frequencies is not what the file's own sum says, as with few of them, where its frequencies end among its waves,
+    /// and where the water cannot carry them.
+    pub(super) fn warnings(&self, spectrum: &dyn WaveSpectrum, water: &Dispersion) -> Vec<String> {
         let table = "sea.system";
         let Ok(seas) = self.records(table) else { return Vec::new() };
         let Ok(chosen) = self.chosen(table, &seas) else { return Vec::new() };
-        self.skipped(&seas, chosen).into_iter().chain(self.resummed(chosen, spectrum)).collect()
+        let about_file = [self.skipped(&seas, chosen), self.resummed(chosen, spectrum), self.cut_off(chosen)];
+        let height_m = significant_height_m(spectrum.variance_m2());
+        let peak = Profile::of(&spectrum).peak_wave_number();
+        let about_waves = warnings::about_waves(height_m, peak, water, "");
+        about_file.into_iter().flatten().chain(about_waves).collect()
     }
 
     fn skipped(&self, seas: &[MeasuredSea], chosen: &MeasuredSea) -> Option<String> {
@@ -136,6 +148,21 @@ impl MeasuredSystem {
             "{} sums to {own_m:.2} m of significant height by its own bands, and to {drawn_m:.2} m between its few \
              frequencies, which is what is drawn",
             self.measured.display()
+        ))
+    }
+
+    fn cut_off(&self, chosen: &MeasuredSea) -> Option<String> {
+        let (there, beyond) = (chosen.variance_m2(), chosen.variance_beyond_m2());
+        let whole_m = significant_height_m(there + beyond);
+        if significant_height_m(there) >= 0.99 * whole_m {
+            return None;
+        }
+        Some(format!(
+            "{} ends at {} Hz, among its waves: {:.2} m of significant height, {whole_m:.2} m if they went on as wind \
+             seas do; nothing beyond the file is drawn",
+            self.measured.display(),
+            chosen.frequencies_hz.last()?,
+            significant_height_m(there)
         ))
     }
 

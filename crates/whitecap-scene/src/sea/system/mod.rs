@@ -152,7 +152,7 @@ impl System {
                 },
             ),
             Form::Phillips(system) => system.warnings(dispersion),
-            Form::Measured(system) => system.warnings(spectrum),
+            Form::Measured(system) => system.warnings(spectrum, dispersion),
         }
     }
 

@@ -1,5 +1,7 @@
 //! What of a wave system can be drawn, but is not found at sea.
 
+use std::f64::consts::TAU;
+
 use whitecap_waves::dispersion::Dispersion;
 use whitecap_waves::spectrum::jonswap::fully_developed_fetch_m;
 
@@ -24,24 +26,8 @@ pub(super) fn about(
     gamma: Option<f64>,
     water: &Dispersion,
 ) -> Vec<String> {
-    let mut warnings = Vec::new();
-    let steepest = steepest(period_s);
-    let length_m = std::f64::consts::TAU / water.wave_number(std::f64::consts::TAU / period_s);
-    if height_m > steepest * length_m {
-        warnings.push(format!(
-            "steeper than a sea can be: {height_m:.2} m of significant height on waves {length_m:.1} m long; up to \
-             {:.2} m would not break all at once (set a longer peak_period_s or a lower significant_height_m)",
-            steepest * length_m
-        ));
-    }
-    if height_m > HIGHEST_OVER_DEPTH * water.depth_m() {
-        warnings.push(format!(
-            "higher than the water can carry: {height_m:.2} m of significant height over depth_m = {}; waves \
-             above {:.2} m break on the bottom",
-            water.depth_m(),
-            HIGHEST_OVER_DEPTH * water.depth_m()
-        ));
-    }
+    let remedy = " (set a longer peak_period_s or a lower significant_height_m)";
+    let mut warnings = about_waves(height_m, water.wave_number(TAU / period_s), water, remedy);
     if let Some(gamma) = gamma.filter(|&gamma| gamma > SHARPEST) {
         warnings
             .push(format!("gamma = {gamma} is a sharper peak than any measured; 1 to 7 are found at sea"));
@@ -56,6 +42,29 @@ pub(super) fn about(
                 full_m / 1000.0
             ));
         }
+    }
+    warnings
+}
+
+/// What is unusual about waves of this significant height and wave number of the peak; `remedy` is what can be done about
+/// their steepness.
+pub(super) fn about_waves(height_m: f64, wave_number: f64, water: &Dispersion, remedy: &str) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let length_m = TAU / wave_number;
+    let highest_m = steepest(TAU / water.angular_frequency(wave_number)) * length_m;
+    if height_m > highest_m {
+        warnings.push(format!(
+            "steeper than a sea can be: {height_m:.2} m of significant height on waves {length_m:.1} m long; up to \
+             {highest_m:.2} m would not break all at once{remedy}"
+        ));
+    }
+    if height_m > HIGHEST_OVER_DEPTH * water.depth_m() {
+        warnings.push(format!(
+            "higher than the water can carry: {height_m:.2} m of significant height over depth_m = {}; waves \
+             above {:.2} m break on the bottom",
+            water.depth_m(),
+            HIGHEST_OVER_DEPTH * water.depth_m()
+        ));
     }
     warnings
 }

@@ -53,6 +53,11 @@ fn a_long_fetch_is_fully_developed_and_a_short_one_young() {
     let age = |fetch_m: f64| Elfouhaily::from_wind_and_fetch(10.0, fetch_m).unwrap().inverse_wave_age();
     assert!((age(1e8) - 0.84).abs() < 1e-3);
     assert!((age(2.2e4 * 100.0 / GRAVITY_MPS2) - 0.84 * 1.0_f64.tanh().powf(-0.75)).abs() < 1e-12);
+    // Ω = 0.84 tanh((X/2.2e4)^0.4)^−0.75 at X of an eighth and of a fiftieth, by hand.
+    for (share, expected) in [(0.125, 1.640_263_127), (0.02, 2.745_812_200)] {
+        let found = age(share * 2.2e4 * 100.0 / GRAVITY_MPS2);
+        assert!((found - expected).abs() < 1e-8, "{share}: {found}");
+    }
     assert_eq!(age(1.0), 5.0);
 }
 
