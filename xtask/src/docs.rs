@@ -6,10 +6,15 @@ use anyhow::{Context, Result};
 use std::path::Path;
 
 pub(crate) fn run() -> Result<()> {
-    process::heading("scene keys and accuracies");
-    let mut test = process::cargo();
-    test.args(["test", "--workspace", "--test", "scene_reference", "--test", "accuracy"]);
-    process::run(test.env("WHITECAP_UPDATE_DOCS", "1"))?;
+    process::heading("scene keys, accuracies and what commands print");
+    // Each is a test that writes what it would compare.
+    for arguments in
+        [&["--test", "scene_reference", "--test", "accuracy"][..], &["--test", "command", "--", "docs::"]]
+    {
+        let mut test = process::cargo();
+        test.args(["test", "--workspace"]).args(arguments);
+        process::run(test.env("WHITECAP_UPDATE_DOCS", "1"))?;
+    }
 
     let whitecap = product::build_release()?;
     setup::ensure_adapter(&whitecap)?;
@@ -32,8 +37,8 @@ pub(crate) fn run() -> Result<()> {
     product::ask(&mut product::command(&whitecap, &["spectrum", "spectral-ocean", "-o", CHART]))?;
     process::say(CHART);
     process::say(
-        "These pictures, docs/scene-files.md and docs/accuracy.md are new. Look at all of them before you commit \
-         them.",
+        "These pictures, docs/scene-files.md, docs/accuracy.md and what pages show as printed are new. Look at all of \
+         them before you commit them.",
     );
     Ok(())
 }

@@ -1,10 +1,7 @@
 //! `docs/scene-files.md` lists the keys that scene files accept, as the reader itself declares them.
 #![allow(clippy::unwrap_used)] // a test that cannot go on should stop
 
-use whitecap_tests::repository::root;
-
-/// Set by `cargo xtask docs`: the page is written instead of compared.
-const UPDATE: &str = "WHITECAP_UPDATE_DOCS";
+use whitecap_tests::repository::{root, updates};
 
 const INTRODUCTION: &str = "\
 # Scene files
@@ -22,7 +19,7 @@ This page is written by `cargo xtask docs` from the declarations that the reader
 fn the_page_lists_the_keys_that_the_reader_accepts() {
     let path = root().join("docs/scene-files.md");
     let expected = format!("{INTRODUCTION}{}", whitecap_scene::reference::markdown());
-    if std::env::var_os(UPDATE).is_some() {
+    if updates() {
         std::fs::write(&path, &expected).unwrap();
     }
     let found = std::fs::read_to_string(&path).unwrap_or_default();

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)] // a test that cannot go on should stop
 
 mod bench;
+mod docs;
 mod gallery;
 mod no_adapter;
 mod probe;

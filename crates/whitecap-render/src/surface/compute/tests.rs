@@ -91,7 +91,7 @@ fn rust_and_wgsl_agree_about_layout() {
 #[test]
 fn both_backends_agree() {
     let Some(gpu) = gpu() else { return };
-    for n in [16, 32, 64, 128, 256, 512, 1024] {
+    for n in [16, 32, 64, 128, 256, 512, 1024, 2048] {
         let mut sea = sea(n, 1.3);
         let [samples, coefficients] = [ON_SAMPLES, Vertices::Anywhere]
             .map(|vertices| SpectralFields::new(&gpu.device, &gpu.queue, &WaveConstants::of(&sea, vertices)));

@@ -27,6 +27,8 @@ pub(super) struct Points {
     /// Where x_m and z_m stand, by a first line that names them; `None` for two columns and nothing else.
     columns: Option<[usize; 2]>,
     started: bool,
+    /// Whether any line had a place.
+    found: bool,
 }
 
 impl Points {
@@ -46,7 +48,7 @@ impl Points {
 
     fn new(name: String, input: Box<dyn Read>) -> Self {
         let lines = BufReader::with_capacity(MAX_LINE as usize, input);
-        Self { name, lines, line: 0, columns: None, started: false }
+        Self { name, lines, line: 0, columns: None, started: false, found: false }
     }
 
     /// Puts the next places into `chunk`: up to [`CHUNK`], and no more than can be had without waiting for
@@ -89,9 +91,15 @@ impl Points {
                 self.columns = Some(self.find_columns(&fields)?);
                 continue;
             }
+            self.found = true;
             return self.place(&fields).map(Some);
         }
-        Ok(None)
+        match self.found {
+            true => Ok(None),
+            false => {
+                Err(Failure::Input(anyhow!("{}: no place; accepted: at least one line x_m,z_m", self.name)))
+            }
+        }
     }
 
     fn find_columns(&self, names: &[&str]) -> Result<[usize; 2], Failure> {
@@ -151,6 +159,8 @@ impl Points {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::collection::vec;
+    use proptest::prelude::{any, proptest};
 
     fn read(text: &[u8]) -> Result<Vec<Place>, String> {
         let points = Points::new("p.csv".to_owned(), Box::new(io::Cursor::new(text.to_vec())));
@@ -169,8 +179,13 @@ mod tests {
         ] {
             assert_eq!(read(text.as_bytes()).unwrap(), expected, "{text:?}");
         }
-        assert_eq!(read(b"").unwrap(), Vec::<Place>::new());
-        assert_eq!(read(b"x_m,z_m\n").unwrap(), Vec::<Place>::new());
+        for text in ["", "\n \n", "x_m,z_m\n", "\u{feff}"] {
+            assert_eq!(
+                read(text.as_bytes()).unwrap_err(),
+                "p.csv: no place; accepted: at least one line x_m,z_m",
+                "{text:?}"
+            );
+        }
     }
 
     #[test]
@@ -198,6 +213,34 @@ mod tests {
         assert!(
             read("1,2\n".repeat(1001).as_bytes()).unwrap_err().contains("line 1001: more places than 1000")
         );
+    }
+
+    proptest! {
+        /// Whatever the bytes: places within their range, or a sentence that begins with the file.
+        #[test]
+        fn any_bytes_are_places_or_a_sentence(bytes in vec(any::<u8>(), 0..300)) {
+            is_places_or_a_sentence(&bytes);
+        }
+
+        /// The same of what looks like places.
+        #[test]
+        fn any_rows_are_places_or_a_sentence(
+            text in "(\u{feff})?(x_m,z_m|a,z_m,x_m|x_m)?\n?([-+0-9.eE,; NaInf\"]{0,20}\r?\n){0,8}",
+        ) {
+            is_places_or_a_sentence(text.as_bytes());
+        }
+    }
+
+    fn is_places_or_a_sentence(bytes: &[u8]) {
+        match read(bytes) {
+            Ok(places) => {
+                assert!(!places.is_empty());
+                assert!(places.iter().flatten().all(|metres| metres.abs() <= 1e7), "{places:?}");
+            }
+            Err(sentence) => {
+                assert!(sentence.starts_with("p.csv") && !sentence.contains('\n'), "{sentence}");
+            }
+        }
     }
 
     /// A source that hands out one line at a time, as somebody who waits for each answer does.
