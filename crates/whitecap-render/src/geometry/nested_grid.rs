@@ -50,6 +50,9 @@ impl NestedGrid {
     }
 }
 
+/// Of the apron.
+const RING_GROWTH: f32 = 1.2;
+
 struct Builder {
     half: i32,
     vertices: Vec<[f32; 3]>,
@@ -114,7 +117,7 @@ impl Builder {
 
     fn add_apron(&mut self, level: u32, border: Vec<u32>, reach: f32) {
         let places = self.vertices.iter().map(|&[x, z, _]| [x, z]).collect();
-        let apron = TiledGrid::around(places, Vec::new(), border, reach);
+        let apron = TiledGrid::around(places, Vec::new(), border, reach, RING_GROWTH);
         let new = &apron.vertices[self.vertices.len()..];
         self.vertices.extend(new.iter().map(|&[x, z]| [x, z, level as f32]));
         self.triangles.extend(apron.indices.chunks_exact(3).map(|t| (level, [t[0], t[1], t[2]])));

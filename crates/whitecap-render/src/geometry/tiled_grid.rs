@@ -12,42 +12,49 @@ pub struct TiledGrid {
     pub indices: Vec<u32>,
 }
 
-/// Each ring of the apron is this much wider than the one before.
-const RING_GROWTH: f32 = 1.5;
-
 /// Segments along a side never become fewer than this.
 const MIN_SEGMENTS: u32 = 16;
 
 impl TiledGrid {
+    /// How much wider each ring of the apron is than the one before, where nothing asks for less.
+    pub const RING_GROWTH: f32 = 1.5;
+
     /// A grid of `cells`² squares with an apron out to at least `reach` cells from the centre.
     ///
     /// `cells` must be even, so that the centre is a vertex.
     pub fn new(cells: u32, reach: f32) -> TiledGrid {
         let mut grid = TiledGrid { vertices: Vec::new(), indices: Vec::new() };
         grid.add_square(cells);
-        grid.add_apron(grid.border_of_square(cells), reach);
+        grid.add_apron(grid.border_of_square(cells), reach, Self::RING_GROWTH);
         grid
     }
 
-    /// A square mesh of your own with an apron out to at least `reach`. `border` runs once round the square,
+    /// A square mesh of your own with an apron out to at least `reach`, whose rings are each `growth` times as wide as the one
+    /// before: on a round earth their chords lower the horizon by up to (growth − 1)²/8 of its dip. `border` runs once round the square,
     /// whose middle is the origin, from its north-west corner eastwards; each side has as many segments.
     ///
     /// # Panics
     ///
     /// If an index of the border is out of range.
-    pub fn around(vertices: Vec<[f32; 2]>, indices: Vec<u32>, border: Vec<u32>, reach: f32) -> TiledGrid {
+    pub fn around(
+        vertices: Vec<[f32; 2]>,
+        indices: Vec<u32>,
+        border: Vec<u32>,
+        reach: f32,
+        growth: f32,
+    ) -> TiledGrid {
         let mut grid = TiledGrid { vertices, indices };
-        grid.add_apron(border, reach);
+        grid.add_apron(border, reach, growth);
         grid
     }
 
-    fn add_apron(&mut self, border: Vec<u32>, reach: f32) {
+    fn add_apron(&mut self, border: Vec<u32>, reach: f32, growth: f32) {
         let corner = border.first().map_or([0.0; 2], |&corner| self.vertices[corner as usize]);
         let mut half = corner[0].abs();
         let mut segments = border.len() as u32 / 4;
         let mut ring = border;
         while half > 0.0 && half < reach {
-            half *= RING_GROWTH;
+            half *= growth;
             // Halving as the rings widen keeps their squares square.
             let coarser = if segments.is_multiple_of(2) && segments / 2 >= MIN_SEGMENTS {
                 segments / 2

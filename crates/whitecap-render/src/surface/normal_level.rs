@@ -66,7 +66,7 @@ impl NormalLevel {
             .into_par_iter()
             .map(|i| {
                 let [x, y, z] = self.normals[i];
-                [x, y, z, self.lost(i)].map(f16::from_f32)
+                [x, y, z, self.moments[i][2]].map(f16::from_f32)
             })
             .collect()
     }

@@ -44,9 +44,10 @@ impl Vertices {
 
 /// The textures that hold a tile at one moment, and what its normal map has lost.
 ///
-/// The normal map's mips carry what they average away: red, green and blue are the mean normal
-/// (x, y, z), alpha the variance of slope (both axes together) inside the texel, so that mean square of
-/// the mean plus alpha is the same at every level (Olano and Baker, "LEAN Mapping", 2010).
+/// The normal map carries what its mips, and the filter between its texels, average away: red, green and blue are the mean
+/// normal (x, y, z), alpha the mean square slope, both axes together (Olano and Baker, "LEAN Mapping", 2010). What alpha has
+/// more than the square of the mean's slope is the variance of slope that is not seen: `unseen_variance` in
+/// `roughness.wesl`.
 pub struct TileTextures {
     /// Displacement (x, height, z), metres, `Rgba32Float`: samples or coefficients, as the [`Vertices`] need them.
     pub displacement: wgpu::Texture,

@@ -132,15 +132,17 @@ fn every_spectrum() -> Vec<(&'static str, Box<dyn WaveSpectrum>)> {
             toward: DVec2::from_angle(0.4),
             dispersion,
         };
-        Box::new(Directional::new(sea.unwrap(), parameters).unwrap())
+        let sea = sea.expect("a sea within its ranges");
+        Box::new(Directional::new(sea, parameters).expect("spreads within their ranges"))
     }
-    let shallow = Dispersion::at_depth(15.0).unwrap();
+    let shallow = Dispersion::at_depth(15.0).expect("a depth within its range");
     let jonswap = || Jonswap::from_wind_and_fetch(10.0, 1e5, 3.3);
+    let over_shallows = || Tma::over(jonswap()?, 15.0);
     vec![
-        ("Phillips", Box::new(Phillips::new(WIND).unwrap())),
+        ("Phillips", Box::new(Phillips::new(WIND).expect("a wind within its range"))),
         ("Pierson-Moskowitz", spread(PiersonMoskowitz::from_wind(10.0), Dispersion::DEEP)),
         ("JONSWAP", spread(jonswap(), Dispersion::DEEP)),
-        ("TMA", spread(Tma::over(jonswap().unwrap(), 15.0), shallow)),
+        ("TMA", spread(over_shallows(), shallow)),
         ("Elfouhaily", spread(Elfouhaily::from_wind(10.0), Dispersion::DEEP)),
     ]
 }

@@ -35,7 +35,8 @@ impl Mesh {
         let refined = NPatches::new(&positions, &normals, &square.indices, refinement);
         let vertices: Vec<[f32; 2]> = refined.positions.iter().map(|&[x, _, z]| [x, z]).collect();
         let border = border(&vertices, half_m);
-        let drawn = TiledGrid::around(vertices, refined.indices.clone(), border, REACH_M);
+        let drawn =
+            TiledGrid::around(vertices, refined.indices.clone(), border, REACH_M, TiledGrid::RING_GROWTH);
         Mesh { coarse, drawn, half_m, refined, cell_m: settings.cell_m }
     }
 

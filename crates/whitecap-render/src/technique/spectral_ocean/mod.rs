@@ -46,6 +46,10 @@ const BOTTOMLESS_M: f64 = 1e4;
 /// The shortest wave of a tile, in its samples.
 const SAMPLES_PER_WAVE: f64 = 4.0;
 
+/// What water is moved sideways by, in significant heights: along as much as up, so that no more than one wave in 10⁷ goes
+/// further.
+const SWAY: f64 = 1.5;
+
 /// Of the last level's half width: there the last waves have left the mesh.
 const FADE_LIMIT: f64 = 0.9;
 
@@ -54,8 +58,7 @@ pub(super) struct SpectralOcean {
     tiles: Vec<TileMaps>,
     grid: NestedGrid,
     levels: u32,
-    /// What the water is moved sideways by at most, nearly always, metres.
-    sway_m: f64,
+    significant_height_m: f64,
     roughness: Roughness,
     foam: FoamMaps,
     slots: ViewSlots<GpuSpectralOcean>,
@@ -100,7 +103,7 @@ impl SpectralOcean {
             settings: settings.clone(),
             roughness,
             foam,
-            sway_m: significant_height_m,
+            significant_height_m,
             tiles,
             grid,
             levels,
@@ -208,7 +211,11 @@ impl Technique for SpectralOcean {
             let uniforms = self.uniforms(view);
             self.slots.write(frame.queue, i, &uniforms);
             let wedge = Wedge::of(view.clip_from_eye_world());
-            self.seen.push(wedge.visible(&self.grid, f64::from(uniforms.cell_m), self.sway_m));
+            self.seen.push(wedge.visible(
+                &self.grid,
+                f64::from(uniforms.cell_m),
+                SWAY * self.significant_height_m,
+            ));
         }
         Ok(())
     }

@@ -136,7 +136,7 @@ const EYES: [(DVec3, f64); 4] = [
 #[test]
 fn drawn_vertices_are_the_sum_of_the_tiles() {
     with_technique(&scene(), |device, queue, mut technique| {
-        let hs_m = technique.sway_m;
+        let hs_m = technique.significant_height_m;
         for (eye_m, time_s) in EYES {
             let view = view_from(eye_m);
             let mut fields = Vec::new();
@@ -208,7 +208,7 @@ fn near_the_viewer_the_drawn_sea_is_the_sea() {
         for &(rest_m, drawn_m) in vertices {
             let point = sea.sample(rest_m, time_s).displacement_m;
             let expected_m = DVec3::new(rest_m.x, 0.0, rest_m.y) + point;
-            let error = drawn_m.distance(expected_m) / technique.sway_m;
+            let error = drawn_m.distance(expected_m) / technique.significant_height_m;
             (sum, worst, count) = (sum + error * error, worst.max(error), count + 1.0);
         }
     });
@@ -224,7 +224,7 @@ fn near_the_viewer_the_drawn_sea_is_the_queried_one() {
     vertices_near_the_viewer(|technique, time_s, vertices| {
         let places: Vec<DVec2> =
             vertices.iter().map(|(_, drawn_m)| DVec2::new(drawn_m.x, drawn_m.z)).collect();
-        let bound_m = (1e-3 * technique.sway_m).max(1e-3);
+        let bound_m = (1e-3 * technique.significant_height_m).max(1e-3);
         for (&(_, drawn_m), found) in vertices.iter().zip(sea.query(&places, time_s).unwrap()) {
             if found.jacobian < 0.3 {
                 continue; // the crest all but folds
@@ -235,6 +235,31 @@ fn near_the_viewer_the_drawn_sea_is_the_queried_one() {
         }
     });
     assert!(compared > 160 || compared == 0 && gpu().is_none(), "{compared}");
+}
+
+/// No water is moved further sideways than the mesh's seams are searched for: not by all tiles together, at their furthest.
+#[test]
+fn water_stays_within_the_margin() {
+    let scenes = whitecap_scene::named::ALL.iter().map(|named| whitecap_scene::open(named.name).unwrap());
+    for scene in scenes.filter(|scene| matches!(scene.technique, whitecap_scene::Technique::SpectralOcean(_)))
+    {
+        let sea = scene.sea.build(scene.seed).unwrap();
+        let height_m = whitecap_waves::statistics::significant_height_m(sea.variance_m2());
+        let mut tiles = sea.into_tiles().unwrap();
+        let mut fields = TileFields::default();
+        for time_s in [0.0, 77.0, -1e5] {
+            let furthest_m = tiles.iter_mut().map(|tile| {
+                tile.evaluate(time_s, &mut fields);
+                let sway = |i| {
+                    let [x, _, z] = fields.displacement(i);
+                    f64::from(x.hypot(z))
+                };
+                (0..fields.resolution().pow(2)).map(sway).fold(0.0, f64::max)
+            });
+            let sway = furthest_m.sum::<f64>() / height_m;
+            assert!(sway < SWAY && sway > 0.5, "{sway} significant heights at {time_s} s");
+        }
+    }
 }
 
 /// Waves may leave the mesh, but only in the order of their lengths, and all before it turns coarse.
