@@ -175,6 +175,11 @@ impl Water {
         }
     }
 
+    /// Groups 0 and 1.
+    pub(crate) fn shared(&self) -> &Shared {
+        &self.shared
+    }
+
     pub(crate) fn has_objects(&self) -> bool {
         !self.objects.is_empty()
     }

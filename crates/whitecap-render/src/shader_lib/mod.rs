@@ -38,6 +38,12 @@ shaders! {
     ATMOSPHERE_AERIAL = "atmosphere_aerial";
     /// What pixel stages ask the sky for, on a buffer of inputs.
     ATMOSPHERE_TWINS = "atmosphere_twins";
+    /// The mean light of several samples a pixel.
+    MEAN = "mean";
+    /// A picture from a display's light.
+    DEVELOP = "develop";
+    /// A picture from radiance.
+    LINEAR_DEVELOP = "linear_develop";
     /// What stands or floats in the water.
     OBJECTS = "objects";
     /// The same in linear light.
