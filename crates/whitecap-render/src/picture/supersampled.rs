@@ -10,7 +10,7 @@ use super::{Attachments, Picture, PictureRequest, SetUp, Stage, read_picture, se
 use crate::gpu::{checked, read_texture};
 use crate::pass::{MeanPass, develop};
 use crate::{Gpu, RenderError, TargetFormat, View, Water};
-use whitecap_scene::Scene;
+use whitecap_scene::{Scene, Sky};
 
 /// Light of all brightness; one sample a pixel at a time.
 const LIGHT: TargetFormat = TargetFormat {
@@ -32,8 +32,21 @@ const VIEWS: usize = 8;
 pub enum LightUnit {
     /// Radiance of the scene in kcd/m²: luminance is 0.2126 R + 0.7152 G + 0.0722 B.
     KilocandelaPerSquareMetre,
+    /// What the scene's panorama holds, whatever its file measures in.
+    Panorama,
     /// The linear light of a display, 0 to 1 (white), for techniques that work on display values.
     DisplayWhite,
+}
+
+impl LightUnit {
+    /// What pictures of `scene` are measured in.
+    fn of(scene: &Scene) -> LightUnit {
+        match scene.sky {
+            _ if !scene.technique.is_scene_linear() => LightUnit::DisplayWhite,
+            Sky::Atmosphere(_) => LightUnit::KilocandelaPerSquareMetre,
+            _ => LightUnit::Panorama,
+        }
+    }
 }
 
 /// A picture of linear light with Rec. 709 primaries, rows from the top, without exposure, tone map and dither.
@@ -97,6 +110,7 @@ struct Still {
     water: Water,
     view: View,
     mean: MeanPass,
+    unit: LightUnit,
     /// Where the light is the scene's.
     exposure: Option<f32>,
 }
@@ -139,7 +153,8 @@ impl Still {
                 progress(Stage::Draw, done);
             }
         }
-        Ok(Still { water, view, mean, exposure })
+        let unit = LightUnit::of(scene);
+        Ok(Still { water, view, mean, unit, exposure })
     }
 
     fn develop(&self, gpu: &Gpu) -> Result<Picture, RenderError> {
@@ -163,12 +178,14 @@ impl Still {
             let [r, g, b, _] = bytemuck::pod_read_unaligned(pixel);
             [r, g, b]
         });
-        let unit = match self.exposure {
-            Some(_) => LightUnit::KilocandelaPerSquareMetre,
-            None => LightUnit::DisplayWhite,
-        };
         let exposure = self.exposure.unwrap_or(1.0);
-        Ok(LightPicture { width: light.width(), height: light.height(), rgb: rgb.collect(), unit, exposure })
+        Ok(LightPicture {
+            width: light.width(),
+            height: light.height(),
+            rgb: rgb.collect(),
+            unit: self.unit,
+            exposure,
+        })
     }
 }
 
