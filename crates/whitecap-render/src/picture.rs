@@ -1,9 +1,11 @@
 //! One picture without a window.
 
 mod filter;
+mod layers;
 mod supersampled;
 
 pub use filter::{FILTER_RADIUS_PX, MAX_SAMPLES, sample_offsets_px};
+pub use layers::{AuxPicture, Shading, Shows, render_aux};
 pub use supersampled::{LightPicture, LightUnit, render_light, render_supersampled};
 
 use crate::environment::Environment;
@@ -24,6 +26,12 @@ pub struct PictureRequest {
     pub time_s: f64,
     /// Who works a spectral sea out; `None` leaves it to [`Backend::auto`].
     pub backend: Option<Backend>,
+}
+
+impl PictureRequest {
+    fn options(&self) -> WaterOptions {
+        WaterOptions { backend: self.backend, ..Default::default() }
+    }
 }
 
 /// A picture of 8-bit display values (sRGB), rows from the top, RGBA.
@@ -105,7 +113,8 @@ fn draw(
 ) -> Result<Picture, RenderError> {
     let (device, queue) = (&gpu.device, &gpu.queue);
     let target = STILL;
-    let SetUp { mut water, attachments, .. } = set_up(gpu, scene, request, &target, progress)?;
+    let SetUp { mut water, attachments, .. } =
+        set_up(gpu, scene, request, &target, &request.options(), progress)?;
     progress(Stage::Draw);
     let view = View::of_camera(&scene.camera, [request.width, request.height]);
     checked(device, "the frame", || {
@@ -134,6 +143,7 @@ fn set_up(
     scene: &Scene,
     request: &PictureRequest,
     target: &TargetFormat,
+    options: &WaterOptions,
     progress: &mut dyn FnMut(Stage),
 ) -> Result<SetUp, RenderError> {
     let (device, queue) = (&gpu.device, &gpu.queue);
@@ -141,8 +151,7 @@ fn set_up(
     progress(Stage::Sky);
     let environment = Environment::new(scene)?;
     progress(Stage::Setup);
-    let options = WaterOptions { backend: request.backend };
-    let water = Water::with_options(device, queue, scene, &environment, *target, &options)?;
+    let water = Water::with_options(device, queue, scene, &environment, *target, options)?;
     let attachments =
         checked(device, "a picture of this size", || Ok(Attachments::new(device, request, target)))?;
     Ok(SetUp { water, attachments, exposure: environment.light.map(|light| light.exposure) })
@@ -182,7 +191,7 @@ pub fn time_passes(
     let (device, queue) = (&gpu.device, &gpu.queue);
     check_size(device, request)?;
     let target = TargetFormat::default();
-    let options = WaterOptions { backend: request.backend };
+    let options = request.options();
     let mut water = Water::with_options(device, queue, scene, &Environment::new(scene)?, target, &options)?;
     let attachments =
         checked(device, "a picture of this size", || Ok(Attachments::new(device, request, &target)))?;

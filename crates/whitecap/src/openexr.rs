@@ -1,4 +1,4 @@
-//! Light as OpenEXR: 32-bit floats, compressed without loss (ZIP).
+//! Light, and what pictures show beside it, as OpenEXR: compressed without loss (ZIP).
 //!
 //! Equal pictures give equal bytes. The `exr` crate writes attributes of its own order only where it knows their names;
 //! of others a header takes one from the layer and one from the image.
@@ -6,10 +6,11 @@
 use exr::meta::attribute::Chromaticities;
 use exr::prelude::{
     AnyChannel, AnyChannels, AttributeValue, Blocks, Compression, Encoding, FlatSamples, Image,
-    ImageAttributes, IntegerBounds, Layer, LayerAttributes, LineOrder, Text, Vec2, WritableImage,
+    ImageAttributes, IntegerBounds, Layer, LayerAttributes, LineOrder, Text, Vec2, WritableImage, f16,
 };
+use glam::{Mat4, Vec3};
 use std::io::{self, Cursor};
-use whitecap_render::picture::{LightPicture, LightUnit};
+use whitecap_render::picture::{AuxPicture, LightPicture, LightUnit, Shows};
 
 /// The attribute that says what light is measured in.
 const UNIT: &str = "whitecapUnit";
@@ -46,6 +47,58 @@ pub(crate) fn encode(picture: &LightPicture, about: &str) -> io::Result<Vec<u8>>
     layer.other.insert(Text::from(EXPOSURE), AttributeValue::F32(picture.exposure));
     image.other.insert(Text::from(UNIT), AttributeValue::Text(Text::from(unit)));
     write(size, layer, image, channels)
+}
+
+/// The attribute that says what positions are relative to, in the world, metres.
+const ORIGIN: &str = "whitecapOrigin";
+
+/// Channels of [`encode_aux`]: those that every technique has, and those of techniques in linear light.
+pub(crate) const AUX_CHANNELS: [&str; 8] =
+    ["Z", "distance.Z", "P.X", "P.Y", "P.Z", "water.X", "object.X", "sky.X"];
+pub(crate) const SHADING_CHANNELS: [&str; 4] = ["N.X", "N.Y", "N.Z", "glint.X"];
+
+/// Encodes what a picture shows beside its light into memory, as channels of one layer: lengths and normals as 32-bit
+/// floats, masks as 16-bit floats. Names are those that Blender gives its passes; `worldToCamera` and `worldToNDC` are
+/// OpenEXR's, with camera and device space as in RenderMan, for positions from the origin.
+pub(crate) fn encode_aux(picture: &AuxPicture, about: &str) -> io::Result<Vec<u8>> {
+    let size = Vec2(picture.width as usize, picture.height as usize);
+    let mask = |wanted: Shows| {
+        let is_it = picture.shows.iter().map(|shows| f16::from_f32(f32::from(u8::from(*shows == wanted))));
+        FlatSamples::F16(is_it.collect())
+    };
+    let axis = |of: &[[f32; 3]], axis: usize| FlatSamples::F32(of.iter().map(|v| v[axis]).collect());
+    let position = |i| axis(&picture.position_m, i);
+    let samples = [
+        FlatSamples::F32(picture.depth_m.clone()),
+        FlatSamples::F32(picture.distance_m.clone()),
+        position(0),
+        position(1),
+        position(2),
+        mask(Shows::Water),
+        mask(Shows::Object),
+        mask(Shows::Sky),
+    ];
+    let mut channels: Vec<_> =
+        AUX_CHANNELS.into_iter().zip(samples).map(|(name, samples)| AnyChannel::new(name, samples)).collect();
+    if let Some(shading) = &picture.shading {
+        let normal = |i| axis(&shading.normal, i);
+        let glint = FlatSamples::F16(shading.glint.iter().map(|share| f16::from_f32(*share)).collect());
+        let samples = [normal(0), normal(1), normal(2), glint];
+        channels.extend(
+            SHADING_CHANNELS.into_iter().zip(samples).map(|(name, samples)| AnyChannel::new(name, samples)),
+        );
+    }
+    let mut layer = layer_attributes(about);
+    // The camera's z runs forwards, the device's x and y from the top left corner to 1.
+    let forwards = Mat4::from_scale(Vec3::new(1.0, 1.0, -1.0));
+    let from_corner =
+        Mat4::from_translation(Vec3::new(0.5, 0.5, 0.0)) * Mat4::from_scale(Vec3::new(0.5, -0.5, 1.0));
+    // OpenEXR's vectors are rows, so its rows are our columns.
+    layer.world_to_camera = Some((forwards * picture.view_from_position).to_cols_array());
+    layer.world_to_normalized_device = Some((from_corner * picture.clip_from_position).to_cols_array());
+    let [x, y, z] = picture.origin_m.as_vec3().to_array();
+    layer.other.insert(Text::from(ORIGIN), AttributeValue::FloatVec3((x, y, z)));
+    write(size, layer, ImageAttributes::new(IntegerBounds::from_dimensions(size)), channels)
 }
 
 fn layer_attributes(about: &str) -> LayerAttributes {

@@ -13,7 +13,7 @@ use crate::{Gpu, RenderError, TargetFormat, View, Water};
 use whitecap_scene::{Scene, Sky};
 
 /// Light of all brightness; one sample a pixel at a time.
-const LIGHT: TargetFormat = TargetFormat {
+pub(super) const LIGHT: TargetFormat = TargetFormat {
     color: wgpu::TextureFormat::Rgba32Float,
     depth: wgpu::TextureFormat::Depth32Float,
     depth_compare: wgpu::CompareFunction::Greater,
@@ -131,7 +131,7 @@ impl Still {
             });
         }
         let SetUp { mut water, attachments, exposure } =
-            set_up(gpu, scene, request, &LIGHT, &mut |stage| progress(stage, 0))?;
+            set_up(gpu, scene, request, &LIGHT, &request.options(), &mut |stage| progress(stage, 0))?;
         let mut mean = checked(&gpu.device, "a picture of this size", || {
             Ok(MeanPass::new(&gpu.device, &gpu.queue, &attachments.resolved))
         })?;

@@ -48,6 +48,8 @@ shaders! {
     OBJECTS = "objects";
     /// The same in linear light.
     LINEAR_OBJECTS = "linear_objects";
+    /// Their normals.
+    OBJECTS_AUX = "objects_aux";
     /// ATI's lake.
     RIPPLING_LAKE = "rippling_lake";
     /// Both stages of the lake on buffers of inputs.
@@ -108,6 +110,8 @@ shaders! {
     SPECTRAL_OCEAN = "spectral_ocean";
     /// The same, shaded once for each sample instead of once for each pixel.
     SPECTRAL_OCEAN_PER_SAMPLE = "spectral_ocean_per_sample";
+    /// Its normals, and how much of its light is the sun's glitter.
+    SPECTRAL_OCEAN_AUX = "spectral_ocean_aux";
     /// Its vertex stage as a compute shader, for reading its results back.
     SPECTRAL_OCEAN_VERTICES = "spectral_ocean_vertices";
     /// Every shared function on a buffer of inputs.

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 use whitecap_render::picture::{
-    MAX_SAMPLES, PictureRequest, Stage, render_light, render_picture, render_supersampled,
+    MAX_SAMPLES, PictureRequest, Stage, render_aux, render_light, render_picture, render_supersampled,
 };
 use whitecap_render::{AdapterDescription, Gpu};
 use whitecap_scene::{Scene, named};
@@ -25,8 +25,9 @@ Examples:
   whitecap render meshuggah -o sea.png --time 3.5  another moment
   whitecap render storm.toml --size 1920x1080      your own scene file, as storm.png
   whitecap render --adapter llvmpipe --json        on one adapter, with timings for programs
-  whitecap render --samples 64 -o still.png        a smooth still, in 16 times the time
+  whitecap render --samples 64 -o still.png        a smooth still, the mean of 64 drawings
   whitecap render spectral-ocean -o sea.exr        the light itself: linear, without tone map
+  whitecap render spectral-ocean --aux             beside it spectral-ocean.aux.exr: depth, normals, masks
 
 Same scene, same seed, same time, same adapter: same picture. The file is written whole or not at all, and \
 an existing one is replaced. `whitecap scenes` lists the named scenes, `whitecap adapters` the adapters.";
@@ -42,8 +43,8 @@ pub(crate) struct Render {
     #[arg(default_value = named::DEFAULT, value_hint = ValueHint::FilePath)]
     scene: String,
 
-    /// The picture's file, ending in .png, or in .exr for linear light in 32-bit floats; its folder
-    /// must exist [default: SCENE's name with .png, in the current folder]
+    /// The picture's file, ending in .png, or in .exr for linear light; its folder must exist [default: SCENE's name with
+    /// .png, in the current folder]
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath,
         value_parser = PathBufValueParser::new().try_map(picture_path))]
     output: Option<PathBuf>,
@@ -67,6 +68,11 @@ pub(crate) struct Render {
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES)))]
     samples: Option<u32>,
 
+    /// Also write what each pixel's centre shows: depth, position, normal, masks of water, objects, sky and sun glint,
+    /// into FILE with .aux.exr in place of its ending (docs/pictures.md)
+    #[arg(long)]
+    aux: bool,
+
     /// Part of the name, backend or driver of the adapter to draw with [default: the fastest kind]
     #[arg(long, value_name = "NAME", value_hint = ValueHint::Other)]
     adapter: Option<String>,
@@ -75,7 +81,7 @@ pub(crate) struct Render {
     #[arg(long, value_name = "WHO", default_value = "auto", value_parser = backend_parser())]
     backend: WantedBackend,
 
-    /// Print the result as JSON: scene, picture, size, samples, time, seed, adapter, stages, total, peak memory
+    /// Print the result as JSON: scene, picture, aux, size, samples, time, seed, adapter, stages, total, peak memory
     #[arg(long)]
     pub(crate) json: bool,
 }
@@ -88,6 +94,8 @@ impl Render {
         let mut scene = super::open(&self.scene)?;
         scene.seed = self.seed.unwrap_or(scene.seed);
         let file = WholeFile::plan(&path)?;
+        let aux_path = self.aux.then(|| path.with_extension("aux.exr"));
+        let aux_file = aux_path.as_deref().map(WholeFile::plan).transpose()?;
 
         stages.begin("adapter");
         let gpu = Gpu::open(self.adapter.as_deref())?;
@@ -99,12 +107,20 @@ impl Render {
             time_s: self.time,
         };
         let (bytes, samples) = self.picture(&gpu, &scene, &request, is_exr(&path), &mut stages)?;
+        let aux = match &aux_file {
+            Some(_) => Some(self.aux(&gpu, &scene, &request, &mut stages)?),
+            None => None,
+        };
         stages.begin("file");
+        if let Some((file, aux)) = aux_file.zip(aux) {
+            file.write(&aux)?;
+        }
         file.write(&bytes)?;
 
         let report = Report {
             scene: &self.scene,
             picture: path.display().to_string(),
+            aux: aux_path.map(|path| path.display().to_string()),
             width: request.width,
             height: request.height,
             samples,
@@ -152,9 +168,23 @@ impl Render {
         Ok((bytes, samples))
     }
 
+    /// The bytes of the file of what the picture shows beside its light.
+    fn aux(
+        &self,
+        gpu: &Gpu,
+        scene: &Scene,
+        request: &PictureRequest,
+        stages: &mut Stages,
+    ) -> Result<Vec<u8>, Failure> {
+        stages.begin("aux");
+        let picture = render_aux(gpu, scene, request, &mut |stage| stages.tell(stage.label()))?;
+        encoded(openexr::encode_aux(&picture, &self.about(scene, 1)))
+    }
+
     /// What the picture is of.
     fn about(&self, scene: &Scene, samples: u32) -> String {
-        format!("{} at {} s, seed {}, {samples} samples a pixel", self.scene, self.time, scene.seed)
+        let plural = if samples == 1 { "" } else { "s" };
+        format!("{} at {} s, seed {}, {samples} sample{plural} a pixel", self.scene, self.time, scene.seed)
     }
 }
 
@@ -167,6 +197,8 @@ fn encoded(bytes: io::Result<Vec<u8>>) -> Result<Vec<u8>, Failure> {
 struct Report<'a> {
     scene: &'a str,
     picture: String,
+    /// The file of what it shows beside its light, if that was asked for.
+    aux: Option<String>,
     width: u32,
     height: u32,
     /// Drawings that were averaged; none where the adapter smoothed.
@@ -185,6 +217,9 @@ impl Report<'_> {
         let mut text = String::new();
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{}", self.picture);
+        if let Some(aux) = &self.aux {
+            let _ = writeln!(text, "{aux}");
+        }
         let _ = writeln!(
             text,
             "  {} × {} pixels of {} at {} s, seed {}",
