@@ -8,8 +8,12 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::pass::atmosphere::sky_view", "atmosphere_sky_view", &[]),
     ("package::pass::atmosphere::aerial", "atmosphere_aerial", &[]),
     ("package::pass::atmosphere::twins", "atmosphere_twins", &[]),
+    ("package::pass::mean", "mean", &[]),
+    ("package::pass::develop", "develop", &[]),
+    ("package::pass::develop", "linear_develop", &["linear"]),
     ("package::pass::objects", "objects", &[]),
     ("package::pass::objects", "linear_objects", &["linear"]),
+    ("package::pass::objects", "objects_aux", &["aux"]),
     ("package::technique::rippling_lake::rippling_lake", "rippling_lake", &[]),
     ("package::technique::rippling_lake::twins", "rippling_lake_twins", &[]),
     ("package::technique::meshuggah::meshuggah", "meshuggah", &[]),
@@ -40,6 +44,7 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::surface::compute::twins", "spectral_twins", &[]),
     ("package::technique::spectral_ocean::spectral_ocean", "spectral_ocean", &[]),
     ("package::technique::spectral_ocean::spectral_ocean", "spectral_ocean_per_sample", &["per_sample"]),
+    ("package::technique::spectral_ocean::spectral_ocean", "spectral_ocean_aux", &["aux"]),
     ("package::technique::spectral_ocean::vertices", "spectral_ocean_vertices", &[]),
     ("package::shader_lib::twins", "twins", &[]),
     ("package::shader_lib::tone_map_twins", "tone_map_twins", &[]),
@@ -52,7 +57,7 @@ fn main() {
     println!("cargo::rerun-if-changed=src");
     for (root, name, features) in ROOTS {
         let mut linker = wesl::Wesl::new("src");
-        for feature in ["per_sample", "linear"] {
+        for feature in ["per_sample", "linear", "aux"] {
             linker.set_feature(feature, false);
         }
         for feature in *features {

@@ -1,5 +1,13 @@
 //! One picture without a window.
 
+mod filter;
+mod layers;
+mod supersampled;
+
+pub use filter::{FILTER_RADIUS_PX, MAX_SAMPLES, sample_offsets_px};
+pub use layers::{AuxPicture, Shading, Shows, render_aux};
+pub use supersampled::{LightPicture, LightUnit, render_light, render_supersampled};
+
 use crate::environment::Environment;
 use crate::gpu::{checked, read_texture};
 use crate::surface::Backend;
@@ -18,6 +26,12 @@ pub struct PictureRequest {
     pub time_s: f64,
     /// Who works a spectral sea out; `None` leaves it to [`Backend::auto`].
     pub backend: Option<Backend>,
+}
+
+impl PictureRequest {
+    fn options(&self) -> WaterOptions {
+        WaterOptions { backend: self.backend, ..Default::default() }
+    }
 }
 
 /// A picture of 8-bit display values (sRGB), rows from the top, RGBA.
@@ -80,12 +94,15 @@ pub fn render_picture(
     request: &PictureRequest,
     progress: &mut dyn FnMut(Stage),
 ) -> Result<Picture, RenderError> {
-    let picture = draw(gpu, scene, request, progress);
-    if picture.is_err() {
-        // A lost device makes every later call fail; what matters is that it was lost.
+    unless_lost(gpu, draw(gpu, scene, request, progress))
+}
+
+/// A lost device makes every later call fail; what matters is that it was lost.
+fn unless_lost<T>(gpu: &Gpu, result: Result<T, RenderError>) -> Result<T, RenderError> {
+    if result.is_err() {
         gpu.check()?;
     }
-    picture
+    result
 }
 
 fn draw(
@@ -95,16 +112,9 @@ fn draw(
     progress: &mut dyn FnMut(Stage),
 ) -> Result<Picture, RenderError> {
     let (device, queue) = (&gpu.device, &gpu.queue);
-    check_size(device, request)?;
-    progress(Stage::Sky);
-    let environment = Environment::new(scene)?;
-    progress(Stage::Setup);
     let target = STILL;
-    let options = WaterOptions { backend: request.backend };
-    let mut water = Water::with_options(device, queue, scene, &environment, target, &options)?;
-    drop(environment);
-    let attachments =
-        checked(device, "a picture of this size", || Ok(Attachments::new(device, request, &target)))?;
+    let SetUp { mut water, attachments, .. } =
+        set_up(gpu, scene, request, &target, &request.options(), progress)?;
     progress(Stage::Draw);
     let view = View::of_camera(&scene.camera, [request.width, request.height]);
     checked(device, "the frame", || {
@@ -114,19 +124,55 @@ fn draw(
         water.draw(&mut pass, 0);
         water.draw_sky(&mut pass, 0);
         drop(pass);
-        queue.submit([encoder.finish()]);
-        device
-            .poll(wgpu::PollType::wait_indefinitely())
-            .map_err(|e| RenderError::DeviceLost { reason: e.to_string() })?;
-        Ok(())
+        submit(gpu, encoder)
     })?;
     progress(Stage::ReadBack);
+    read_picture(gpu, &attachments.resolved)
+}
+
+/// The water and what it is drawn into.
+struct SetUp {
+    water: Water,
+    attachments: Attachments,
+    /// What radiance of 1 kcd/m² becomes in the picture's linear light, if that is what the water is drawn in.
+    exposure: Option<f32>,
+}
+
+fn set_up(
+    gpu: &Gpu,
+    scene: &Scene,
+    request: &PictureRequest,
+    target: &TargetFormat,
+    options: &WaterOptions,
+    progress: &mut dyn FnMut(Stage),
+) -> Result<SetUp, RenderError> {
+    let (device, queue) = (&gpu.device, &gpu.queue);
+    check_size(device, request)?;
+    progress(Stage::Sky);
+    let environment = Environment::new(scene)?;
+    progress(Stage::Setup);
+    let water = Water::with_options(device, queue, scene, &environment, *target, options)?;
+    let attachments =
+        checked(device, "a picture of this size", || Ok(Attachments::new(device, request, target)))?;
+    Ok(SetUp { water, attachments, exposure: environment.light.map(|light| light.exposure) })
+}
+
+/// Submits, and waits until it is done.
+fn submit(gpu: &Gpu, encoder: wgpu::CommandEncoder) -> Result<(), RenderError> {
+    gpu.queue.submit([encoder.finish()]);
+    gpu.device
+        .poll(wgpu::PollType::wait_indefinitely())
+        .map_err(|e| RenderError::DeviceLost { reason: e.to_string() })?;
+    Ok(())
+}
+
+fn read_picture(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Picture, RenderError> {
     let mut rgba8 =
-        checked(device, "the picture's read-back", || read_texture(device, queue, &attachments.resolved))?;
+        checked(&gpu.device, "the picture's read-back", || read_texture(&gpu.device, &gpu.queue, texture))?;
     // Alpha is a matter between a technique and its host; a picture is opaque.
     rgba8.iter_mut().skip(3).step_by(4).for_each(|alpha| *alpha = u8::MAX);
     gpu.check()?;
-    Ok(Picture { width: request.width, height: request.height, rgba8 })
+    Ok(Picture { width: texture.width(), height: texture.height(), rgba8 })
 }
 
 /// Renders `runs` frames of `scene`, a thirtieth of a second apart, as a window would show them (one sample a
@@ -145,7 +191,7 @@ pub fn time_passes(
     let (device, queue) = (&gpu.device, &gpu.queue);
     check_size(device, request)?;
     let target = TargetFormat::default();
-    let options = WaterOptions { backend: request.backend };
+    let options = request.options();
     let mut water = Water::with_options(device, queue, scene, &Environment::new(scene)?, target, &options)?;
     let attachments =
         checked(device, "a picture of this size", || Ok(Attachments::new(device, request, &target)))?;
@@ -203,8 +249,9 @@ fn check_size(device: &wgpu::Device, request: &PictureRequest) -> Result<(), Ren
 }
 
 struct Attachments {
-    color: wgpu::TextureView,
-    depth: wgpu::TextureView,
+    /// Where pixels have several samples.
+    color: Option<wgpu::TextureView>,
+    depth: wgpu::Texture,
     resolved: wgpu::Texture,
 }
 
@@ -228,12 +275,14 @@ impl Attachments {
         };
         use wgpu::TextureUsages as U;
         let samples = target.sample_count;
-        let color = texture("samples", target.color, samples, U::RENDER_ATTACHMENT);
-        let depth = texture("depth", target.depth, samples, U::RENDER_ATTACHMENT);
+        let color = || texture("samples", target.color, samples, U::RENDER_ATTACHMENT);
+        // What has one sample may be read back, or read by a pass that follows.
+        let reading = U::COPY_SRC | U::TEXTURE_BINDING;
+        let depth_reading = if samples > 1 { U::empty() } else { reading };
         Attachments {
-            color: color.create_view(&Default::default()),
-            depth: depth.create_view(&Default::default()),
-            resolved: texture("picture", target.color, 1, U::RENDER_ATTACHMENT | U::COPY_SRC),
+            color: (samples > 1).then(|| color().create_view(&Default::default())),
+            depth: texture("depth", target.depth, samples, U::RENDER_ATTACHMENT | depth_reading),
+            resolved: texture("picture", target.color, 1, U::RENDER_ATTACHMENT | reading),
         }
     }
 
@@ -251,17 +300,17 @@ impl Attachments {
             (wgpu::LoadOp::Load, wgpu::LoadOp::Load)
         };
         // Samples are resolved in one pass; without them each pass goes on where the last one ended.
-        let store = if target.sample_count > 1 { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store };
+        let store = if self.color.is_some() { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store };
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("picture"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: if target.sample_count > 1 { &self.color } else { &resolved },
+                view: self.color.as_ref().unwrap_or(&resolved),
                 depth_slice: None,
-                resolve_target: (target.sample_count > 1).then_some(&resolved),
+                resolve_target: self.color.is_some().then_some(&resolved),
                 ops: wgpu::Operations { load: color, store },
             })],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &self.depth,
+                view: &self.depth.create_view(&Default::default()),
                 depth_ops: Some(wgpu::Operations { load: depth, store }),
                 stencil_ops: None,
             }),

@@ -24,8 +24,9 @@ pub enum Stores {
     DisplayValues = 0,
     /// Linear light of a display, which the device encodes.
     DisplayLight = 1,
-    /// Radiance of the scene in kcd/m², without exposure and tone map. Techniques that work on display values write the
-    /// linear light of a display, white being 1.
+    /// Radiance of the scene in kcd/m², without exposure and tone map: up to 65,000, beyond which small floats overflow, or
+    /// in 32 bits all of it, the sun's disc too. Techniques that work on display values write the linear light of a
+    /// display, white being 1.
     Radiance = 2,
 }
 
@@ -51,6 +52,11 @@ impl TargetFormat {
             color if color.is_srgb() => Stores::DisplayLight,
             _ => Stores::DisplayValues,
         }
+    }
+
+    /// The most radiance that the colour attachment can hold, kcd/m².
+    pub(crate) fn most_radiance(&self) -> f32 {
+        if self.color == wgpu::TextureFormat::Rgba32Float { 1e9 } else { 65_000.0 }
     }
 
     /// The depth of what is infinitely far away.

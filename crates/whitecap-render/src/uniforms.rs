@@ -21,7 +21,7 @@ pub(crate) struct GpuView {
     pub(crate) pixel_angle_rad: f32,
     pub(crate) far_depth: f32,
     pub(crate) stores: u32,
-    pub(crate) padding: u32,
+    pub(crate) most_radiance: f32,
     pub(crate) clip_plane: [f32; 4],
 }
 
@@ -77,7 +77,7 @@ impl GpuView {
             pixel_angle_rad: view.pixel_angle_rad(),
             far_depth: target.far_depth(),
             stores: target.stores() as u32,
-            padding: 0,
+            most_radiance: target.most_radiance(),
             clip_plane: role.clip_plane(plane_m, margin_m).to_array(),
         }
     }
@@ -349,7 +349,15 @@ mod tests {
             GpuView,
             shader_lib::SKY.wgsl,
             "GpuView",
-            [clip_from_eye_world, eye_world_from_clip, pixel_angle_rad, far_depth, stores, clip_plane,]
+            [
+                clip_from_eye_world,
+                eye_world_from_clip,
+                pixel_angle_rad,
+                far_depth,
+                stores,
+                most_radiance,
+                clip_plane
+            ]
         );
         assert_layout!(GpuSun, shader_lib::SKY.wgsl, "GpuSun", [toward, radius_rad, display, skylight]);
     }

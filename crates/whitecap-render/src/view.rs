@@ -1,6 +1,6 @@
 //! One view of the water: where from, which way, through which lens.
 
-use glam::{DVec3, Mat4, Quat, Vec3, camera::rh};
+use glam::{DVec2, DVec3, Mat4, Quat, Vec3, Vec4, camera::rh};
 use whitecap_scene::Camera;
 
 /// The camera's nearest drawn distance in [`View::of_camera`], metres.
@@ -49,6 +49,15 @@ impl View {
         self.clip_from_view * Mat4::from_quat(self.view_from_world)
     }
 
+    /// The same view through pixels that lie `offset_px` (right, down) from this one's: what it shows in a pixel's middle
+    /// lies there in this one.
+    pub fn shifted(&self, offset_px: DVec2) -> View {
+        let [x, y] = [0, 1].map(|axis| 2.0 * offset_px[axis] / f64::from(self.size_px[axis].max(1)));
+        let shift = Vec4::new(-x as f32, y as f32, 0.0, 1.0);
+        let clip_from_clip = Mat4::from_cols(Vec4::X, Vec4::Y, Vec4::Z, shift);
+        View { clip_from_view: clip_from_clip * self.clip_from_view, ..*self }
+    }
+
     /// The angle that a pixel in the middle of the picture spans, radians.
     pub fn pixel_angle_rad(&self) -> f32 {
         let height = self.size_px[1].max(1) as f32;
@@ -85,6 +94,22 @@ mod tests {
         };
         assert!(clip(Vec3::new(0.0, 1.0, -10.0)).y > 0.0);
         assert!(clip(Vec3::new(1.0, 0.0, -10.0)).x > 0.0);
+    }
+
+    #[test]
+    fn a_shifted_view_shows_what_lies_that_many_pixels_away() {
+        let view = View::of_camera(&camera([100.0, 0.0, 50.0]), [320, 180]);
+        let offset_px = DVec2::new(0.3, -1.2);
+        let shifted = view.shifted(offset_px);
+        assert_eq!(shifted.pixel_angle_rad(), view.pixel_angle_rad());
+        for toward in [Vec3::new(90.0, -4.0, 53.0), Vec3::new(5.0, -1.0, 3.0), Vec3::new(4e5, 2e3, 2e5)] {
+            let pixel = |view: &View| {
+                let clip = (view.clip_from_eye_world() * toward.extend(1.0)).as_dvec4();
+                DVec2::new(160.0 * (1.0 + clip.x / clip.w), 90.0 * (1.0 - clip.y / clip.w))
+            };
+            let moved = pixel(&view) - pixel(&shifted);
+            assert!((moved - offset_px).length() < 1e-3, "{toward}: {moved}");
+        }
     }
 
     #[test]

@@ -33,6 +33,7 @@ pub struct Water {
     shared: Shared,
     objects: Objects,
     object_pass: ObjectPass,
+    aux_objects: Option<ObjectPass>,
     sky: SkyPass,
     technique: Box<dyn Technique>,
 }
@@ -42,6 +43,8 @@ pub struct Water {
 pub struct WaterOptions {
     /// Who works a spectral sea out; `None` leaves it to [`Backend::auto`].
     pub backend: Option<Backend>,
+    /// Whether [`Water::draw_aux`] will be called, which needs pipelines of its own.
+    pub aux: bool,
 }
 
 impl Water {
@@ -93,6 +96,7 @@ impl Water {
             let shared = Shared::new(device, queue, environment, target);
             let objects = Objects::new(device, queue, scene)?;
             let object_pass = ObjectPass::new(device, &shared, &objects, &target);
+            let aux_objects = options.aux.then(|| ObjectPass::aux(device, &shared, &objects, &target));
             let sky = SkyPass::new(device, &shared, &target);
             let technique = technique::build(&Build {
                 device,
@@ -101,12 +105,13 @@ impl Water {
                 shared: &shared,
                 objects: &objects,
                 backend: options.backend,
+                aux: options.aux,
                 irradiance: environment.irradiance,
                 daylight: environment.daylight,
                 light: environment.light.as_ref(),
                 toward_sun: environment.sun.map_or(Vec3::Y, |sun| sun.toward),
             })?;
-            Ok(Water { shared, objects, object_pass, sky, technique })
+            Ok(Water { shared, objects, object_pass, aux_objects, sky, technique })
         })
     }
 
@@ -158,6 +163,24 @@ impl Water {
         self.draw_surface(pass, view);
     }
 
+    /// As [`Water::draw`], but the unit normal in the world's axes in place of colour, and in alpha the luminance of the
+    /// sun's glitter, kcd/m². The answer is whether the scene's technique has that; see [`WaterOptions::aux`]. The target's
+    /// colour must hold such numbers: a float format.
+    pub fn draw_aux(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) -> bool {
+        self.draw_surface_aux(pass, view) && self.draw_objects_aux(pass, view)
+    }
+
+    pub(crate) fn draw_objects_aux(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) -> bool {
+        let Some(objects) = &self.aux_objects else { return false };
+        objects.draw(pass, &self.shared, &self.objects, view, Role::Main);
+        true
+    }
+
+    pub(crate) fn draw_surface_aux(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) -> bool {
+        self.shared.bind(pass, view, Role::Main);
+        self.technique.draw_aux(pass, view)
+    }
+
     pub(crate) fn draw_objects(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) {
         self.object_pass.draw(pass, &self.shared, &self.objects, view, Role::Main);
     }
@@ -173,6 +196,11 @@ impl Water {
         if !self.technique.draw_sky(pass, view) {
             self.sky.draw(pass, &self.shared, view, Role::Main);
         }
+    }
+
+    /// Groups 0 and 1.
+    pub(crate) fn shared(&self) -> &Shared {
+        &self.shared
     }
 
     pub(crate) fn has_objects(&self) -> bool {

@@ -13,7 +13,7 @@ const SIZE: [u32; 2] = [160, 90];
 fn picture(gpu: &Gpu, scene: &Scene, backend: Backend, time_s: f64) -> Vec<u8> {
     let (device, queue) = (&gpu.device, &gpu.queue);
     let target = TargetFormat::default();
-    let options = WaterOptions { backend: Some(backend) };
+    let options = WaterOptions { backend: Some(backend), ..Default::default() };
     let environment = Environment::new(scene).unwrap();
     let mut water = Water::with_options(device, queue, scene, &environment, target, &options).unwrap();
     let canvas = Canvas::new(gpu, &target, SIZE);

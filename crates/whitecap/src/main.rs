@@ -7,6 +7,7 @@ mod command;
 mod failure;
 mod headless;
 mod memory;
+mod openexr;
 mod part;
 mod png;
 mod sheet;

@@ -47,6 +47,13 @@ impl Stages {
         self.line.set_message(format!("{about}: {name}"));
     }
 
+    /// Says on the terminal how far the running stage is.
+    pub(crate) fn tell(&self, progress: &str) {
+        if let Some((name, _)) = self.running {
+            self.line.set_message(format!("{name}: {progress}"));
+        }
+    }
+
     /// Ends the last stage and hands out all of them, in order.
     pub(crate) fn finish(mut self) -> Vec<StageTime> {
         self.end();

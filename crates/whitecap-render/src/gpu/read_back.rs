@@ -2,14 +2,14 @@
 
 use super::RenderError;
 
-/// Copies the first mip of an uncompressed 2-D colour `texture` into bytes, rows tightly packed.
+/// Copies the first mip of an uncompressed 2-D `texture` of one aspect into bytes, rows tightly packed.
 ///
 /// Blocks until the device is done.
 ///
 /// # Errors
 ///
 /// [`RenderError::DeviceLost`] when the device does not answer; [`RenderError::Unsupported`] for a
-/// compressed or depth texture.
+/// compressed texture or one with a stencil.
 pub fn read_texture(
     device: &wgpu::Device,
     queue: &wgpu::Queue,

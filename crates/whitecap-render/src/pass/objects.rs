@@ -1,7 +1,7 @@
 //! What stands or floats in the water.
 
 use crate::gpu::resources::{IndexedMesh, PipelineRequest, bind_group};
-use crate::shader_lib;
+use crate::shader_lib::{self, Shader};
 use crate::uniforms::{MAX_VIEWS, Role, Shared, ViewSlots};
 use crate::{RenderError, TargetFormat, View};
 use glam::{DAffine3, Mat4};
@@ -119,10 +119,32 @@ impl ObjectPass {
         objects: &Objects,
         target: &TargetFormat,
     ) -> ObjectPass {
+        let linear = shared.skies.is_some();
+        let shader = if linear { &shader_lib::LINEAR_OBJECTS } else { &shader_lib::OBJECTS };
+        Self::through(device, shared, objects, target, shader)
+    }
+
+    /// Their normals in place of their colours.
+    pub(crate) fn aux(
+        device: &wgpu::Device,
+        shared: &Shared,
+        objects: &Objects,
+        target: &TargetFormat,
+    ) -> ObjectPass {
+        Self::through(device, shared, objects, target, &shader_lib::OBJECTS_AUX)
+    }
+
+    fn through(
+        device: &wgpu::Device,
+        shared: &Shared,
+        objects: &Objects,
+        target: &TargetFormat,
+        shader: &Shader,
+    ) -> ObjectPass {
         let attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3];
         let request = PipelineRequest {
             label: "objects",
-            shader: if shared.skies.is_some() { &shader_lib::LINEAR_OBJECTS } else { &shader_lib::OBJECTS },
+            shader,
             groups: &[Some(&shared.view_layout), Some(&shared.environment_layout), Some(&objects.layout)],
             vertices: &[Some(wgpu::VertexBufferLayout {
                 array_stride: size_of::<GpuVertex>() as u64,

@@ -38,10 +38,18 @@ shaders! {
     ATMOSPHERE_AERIAL = "atmosphere_aerial";
     /// What pixel stages ask the sky for, on a buffer of inputs.
     ATMOSPHERE_TWINS = "atmosphere_twins";
+    /// The mean light of several samples a pixel.
+    MEAN = "mean";
+    /// A picture from a display's light.
+    DEVELOP = "develop";
+    /// A picture from radiance.
+    LINEAR_DEVELOP = "linear_develop";
     /// What stands or floats in the water.
     OBJECTS = "objects";
     /// The same in linear light.
     LINEAR_OBJECTS = "linear_objects";
+    /// Their normals.
+    OBJECTS_AUX = "objects_aux";
     /// ATI's lake.
     RIPPLING_LAKE = "rippling_lake";
     /// Both stages of the lake on buffers of inputs.
@@ -102,6 +110,8 @@ shaders! {
     SPECTRAL_OCEAN = "spectral_ocean";
     /// The same, shaded once for each sample instead of once for each pixel.
     SPECTRAL_OCEAN_PER_SAMPLE = "spectral_ocean_per_sample";
+    /// Its normals, and how much of its light is the sun's glitter.
+    SPECTRAL_OCEAN_AUX = "spectral_ocean_aux";
     /// Its vertex stage as a compute shader, for reading its results back.
     SPECTRAL_OCEAN_VERTICES = "spectral_ocean_vertices";
     /// Every shared function on a buffer of inputs.

@@ -65,6 +65,13 @@ pub trait Technique: Send + Sync {
     /// and 1 are bound.
     fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view: usize);
 
+    /// As [`Technique::draw`] into a float target of the picture's depth format: the normal of the water, and in alpha the
+    /// luminance of the sun's glitter in what the picture shows there, kcd/m². The answer is whether the technique has
+    /// that, and was built for it ([`Build::aux`]); nothing is drawn otherwise.
+    fn draw_aux(&self, _pass: &mut wgpu::RenderPass<'_>, _view: usize) -> bool {
+        false
+    }
+
     /// Draws the sky behind everything, if the technique has one of its own; the answer is whether it has. Groups
     /// 0 and 1 are bound.
     fn draw_sky(&self, _pass: &mut wgpu::RenderPass<'_>, _view: usize) -> bool {
@@ -86,6 +93,8 @@ pub struct Build<'a> {
     pub(crate) objects: &'a Objects,
     /// Who works a spectral sea out; `None` leaves it to [`Backend::auto`].
     pub backend: Option<Backend>,
+    /// Whether [`Technique::draw_aux`] will be called.
+    pub aux: bool,
     /// Irradiance on the sea, linear, per channel.
     pub irradiance: glam::Vec3,
     /// Display brightness of the sky against a day's, see [`crate::environment::Environment::daylight`].
@@ -114,6 +123,7 @@ impl<'a> Build<'a> {
             shared,
             objects,
             backend: None,
+            aux: false,
             irradiance,
             daylight: 1.0,
             light: None,

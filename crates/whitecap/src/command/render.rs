@@ -4,17 +4,20 @@ use super::options::{MAX_SEED, Size, WantedBackend, backend_parser, parse_size, 
 use crate::failure::Failure;
 use crate::stages::{StageTime, Stages, milliseconds};
 use crate::whole_file::WholeFile;
-use crate::{memory, png, stdout};
+use crate::{memory, openexr, png, stdout};
 use anyhow::Context;
 use clap::ValueHint;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use std::fmt::Write;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
-use whitecap_render::picture::{PictureRequest, render_picture};
+use whitecap_render::picture::{
+    MAX_SAMPLES, PictureRequest, Stage, render_aux, render_light, render_picture, render_supersampled,
+};
 use whitecap_render::{AdapterDescription, Gpu};
-use whitecap_scene::named;
+use whitecap_scene::{Scene, named};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -22,11 +25,17 @@ Examples:
   whitecap render meshuggah -o sea.png --time 3.5  another moment
   whitecap render storm.toml --size 1920x1080      your own scene file, as storm.png
   whitecap render --adapter llvmpipe --json        on one adapter, with timings for programs
+  whitecap render --samples 64 -o still.png        a smooth still, the mean of 64 drawings
+  whitecap render spectral-ocean -o sea.exr        the light itself: linear, without tone map
+  whitecap render spectral-ocean --aux             beside it spectral-ocean.aux.exr: depth, normals, masks
 
 Same scene, same seed, same time, same adapter: same picture. The file is written whole or not at all, and \
 an existing one is replaced. `whitecap scenes` lists the named scenes, `whitecap adapters` the adapters.";
 
-/// Render one picture of a scene, as PNG
+/// What a pixel of light has without `--samples`: as many as the adapter's own smoothing has, at the same cost.
+const SAMPLES_OF_LIGHT: u32 = 4;
+
+/// Render one picture of a scene, as PNG or as linear light in OpenEXR
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Render {
@@ -34,10 +43,10 @@ pub(crate) struct Render {
     #[arg(default_value = named::DEFAULT, value_hint = ValueHint::FilePath)]
     scene: String,
 
-    /// The picture's file, ending in .png; its folder must exist [default: SCENE's name with .png, in the
-    /// current folder]
+    /// The picture's file, ending in .png, or in .exr for linear light; its folder must exist [default: SCENE's name with
+    /// .png, in the current folder]
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath,
-        value_parser = PathBufValueParser::new().try_map(png_path))]
+        value_parser = PathBufValueParser::new().try_map(picture_path))]
     output: Option<PathBuf>,
 
     /// Width and height in pixels; the adapter sets the largest
@@ -54,6 +63,16 @@ pub(crate) struct Render {
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u64).range(..=MAX_SEED))]
     seed: Option<u64>,
 
+    /// Whole drawings whose light is averaged, from 1 to 1024, each a sample a pixel: for smooth stills [default: the
+    /// adapter's own smoothing, 4 samples of edges and glints; 4 for .exr]
+    #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES)))]
+    samples: Option<u32>,
+
+    /// Also write what each pixel's centre shows: depth, position, normal, masks of water, objects, sky and sun glint,
+    /// into FILE with .aux.exr in place of its ending (docs/pictures.md)
+    #[arg(long)]
+    aux: bool,
+
     /// Part of the name, backend or driver of the adapter to draw with [default: the fastest kind]
     #[arg(long, value_name = "NAME", value_hint = ValueHint::Other)]
     adapter: Option<String>,
@@ -62,7 +81,7 @@ pub(crate) struct Render {
     #[arg(long, value_name = "WHO", default_value = "auto", value_parser = backend_parser())]
     backend: WantedBackend,
 
-    /// Print the result as JSON: scene, picture, size, time, seed, adapter, stages, total, peak memory
+    /// Print the result as JSON: scene, picture, aux, size, samples, time, seed, adapter, stages, total, peak memory
     #[arg(long)]
     pub(crate) json: bool,
 }
@@ -75,6 +94,8 @@ impl Render {
         let mut scene = super::open(&self.scene)?;
         scene.seed = self.seed.unwrap_or(scene.seed);
         let file = WholeFile::plan(&path)?;
+        let aux_path = self.aux.then(|| path.with_extension("aux.exr"));
+        let aux_file = aux_path.as_deref().map(WholeFile::plan).transpose()?;
 
         stages.begin("adapter");
         let gpu = Gpu::open(self.adapter.as_deref())?;
@@ -85,18 +106,24 @@ impl Render {
             height: self.size.height,
             time_s: self.time,
         };
-        let picture = render_picture(&gpu, &scene, &request, &mut |stage| stages.begin(stage.label()))?;
-
-        stages.begin("png");
-        let bytes = png::encode(&picture).context("cannot encode the picture").map_err(Failure::Machine)?;
+        let (bytes, samples) = self.picture(&gpu, &scene, &request, is_exr(&path), &mut stages)?;
+        let aux = match &aux_file {
+            Some(_) => Some(self.aux(&gpu, &scene, &request, &mut stages)?),
+            None => None,
+        };
         stages.begin("file");
+        if let Some((file, aux)) = aux_file.zip(aux) {
+            file.write(&aux)?;
+        }
         file.write(&bytes)?;
 
         let report = Report {
             scene: &self.scene,
             picture: path.display().to_string(),
-            width: picture.width,
-            height: picture.height,
+            aux: aux_path.map(|path| path.display().to_string()),
+            width: request.width,
+            height: request.height,
+            samples,
             time_s: self.time,
             seed: scene.seed,
             adapter: &gpu.adapter,
@@ -107,6 +134,62 @@ impl Render {
         if self.json { stdout::write_json(&report) } else { stdout::write(report.for_people().as_bytes()) }?;
         Ok(ExitCode::SUCCESS)
     }
+
+    /// The bytes of the picture's file, and the samples that it has been averaged from.
+    fn picture(
+        &self,
+        gpu: &Gpu,
+        scene: &Scene,
+        request: &PictureRequest,
+        is_exr: bool,
+        stages: &mut Stages,
+    ) -> Result<(Vec<u8>, Option<u32>), Failure> {
+        let samples = self.samples.or(is_exr.then_some(SAMPLES_OF_LIGHT));
+        let Some(count) = samples else {
+            let picture = render_picture(gpu, scene, request, &mut |stage| stages.begin(stage.label()))?;
+            stages.begin("png");
+            return Ok((encoded(png::encode(&picture))?, None));
+        };
+        let mut progress = |stage: Stage, done: u32| {
+            if done == 0 || stage != Stage::Draw {
+                stages.begin(stage.label());
+            }
+            stages.tell(&format!("{done} of {count} samples"));
+        };
+        let bytes = if is_exr {
+            let light = render_light(gpu, scene, request, count, &mut progress)?;
+            stages.begin("exr");
+            encoded(openexr::encode(&light, &self.about(scene, count)))?
+        } else {
+            let picture = render_supersampled(gpu, scene, request, count, &mut progress)?;
+            stages.begin("png");
+            encoded(png::encode(&picture))?
+        };
+        Ok((bytes, samples))
+    }
+
+    /// The bytes of the file of what the picture shows beside its light.
+    fn aux(
+        &self,
+        gpu: &Gpu,
+        scene: &Scene,
+        request: &PictureRequest,
+        stages: &mut Stages,
+    ) -> Result<Vec<u8>, Failure> {
+        stages.begin("aux");
+        let picture = render_aux(gpu, scene, request, &mut |stage| stages.tell(stage.label()))?;
+        encoded(openexr::encode_aux(&picture, &self.about(scene, 1)))
+    }
+
+    /// What the picture is of.
+    fn about(&self, scene: &Scene, samples: u32) -> String {
+        let plural = if samples == 1 { "" } else { "s" };
+        format!("{} at {} s, seed {}, {samples} sample{plural} a pixel", self.scene, self.time, scene.seed)
+    }
+}
+
+fn encoded(bytes: io::Result<Vec<u8>>) -> Result<Vec<u8>, Failure> {
+    bytes.context("cannot encode the picture").map_err(Failure::Machine)
 }
 
 /// What became of the request.
@@ -114,8 +197,12 @@ impl Render {
 struct Report<'a> {
     scene: &'a str,
     picture: String,
+    /// The file of what it shows beside its light, if that was asked for.
+    aux: Option<String>,
     width: u32,
     height: u32,
+    /// Drawings that were averaged; none where the adapter smoothed.
+    samples: Option<u32>,
     time_s: f64,
     seed: u64,
     adapter: &'a AdapterDescription,
@@ -130,11 +217,17 @@ impl Report<'_> {
         let mut text = String::new();
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{}", self.picture);
+        if let Some(aux) = &self.aux {
+            let _ = writeln!(text, "{aux}");
+        }
         let _ = writeln!(
             text,
             "  {} × {} pixels of {} at {} s, seed {}",
             self.width, self.height, self.scene, self.time_s, self.seed
         );
+        if let Some(samples) = self.samples {
+            let _ = writeln!(text, "  {samples} samples a pixel");
+        }
         let _ = writeln!(text, "  on {}", self.adapter);
         let width = self.stages.iter().map(|stage| stage.name.len()).max().unwrap_or(0);
         for StageTime { name, ms } in &self.stages {
@@ -149,12 +242,20 @@ impl Report<'_> {
     }
 }
 
-fn png_path(path: PathBuf) -> Result<PathBuf, String> {
-    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
+fn picture_path(path: PathBuf) -> Result<PathBuf, String> {
+    if has_extension(&path, "png") || is_exr(&path) {
         Ok(path)
     } else {
-        Err("accepted: a file name that ends in .png".to_owned())
+        Err("accepted: a file name that ends in .png or .exr".to_owned())
     }
+}
+
+fn is_exr(path: &Path) -> bool {
+    has_extension(path, "exr")
+}
+
+fn has_extension(path: &Path, wanted: &str) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(wanted))
 }
 
 /// The scene's name, without folder and `.toml`, as a picture in the current folder.
@@ -168,13 +269,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pictures_are_png_by_name() {
-        for accepted in ["sea.png", "a/b.PNG", "sea.v2.png"] {
-            assert!(png_path(accepted.into()).is_ok(), "{accepted}");
+    fn pictures_are_png_or_exr_by_name() {
+        for accepted in ["sea.png", "a/b.PNG", "sea.v2.png", "sea.exr", "sea.png.EXR"] {
+            assert!(picture_path(accepted.into()).is_ok(), "{accepted}");
         }
-        for refused in ["sea.jpg", "sea", "png", ".png", "-", "sea.png/", "", "sea.png "] {
+        for refused in ["sea.jpg", "sea", "png", ".png", "exr", ".exr", "-", "sea.png/", "", "sea.png "] {
             let expected = refused != "sea.png/"; // a trailing slash is found when the folder is looked at
-            assert_eq!(png_path(refused.into()).is_err(), expected, "{refused:?}");
+            assert_eq!(picture_path(refused.into()).is_err(), expected, "{refused:?}");
         }
     }
 

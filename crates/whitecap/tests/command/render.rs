@@ -1,6 +1,9 @@
 //! `render`: pictures, and everything that keeps one from being written.
 
 use crate::{has_adapter, json, names_in, sentence, size_of, stderr, stdout, whitecap};
+use exr::meta::header::Header;
+use std::collections::BTreeMap;
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
@@ -135,6 +138,7 @@ fn places_where_no_picture_can_be_are_refused_at_once() {
     let long = format!("{}.png", "x".repeat(300));
     let cases: &[(&str, i32, &str)] = &[
         ("absent/sea.png", 2, "the folder absent does not exist"),
+        ("absent/sea.exr", 2, "the folder absent does not exist"),
         ("folder.png", 2, "folder.png is a folder"),
         ("file/sea.png", 2, "a part of file/sea.png that should be a folder is a file"),
         (&long, 2, "name is too long"),
@@ -269,4 +273,74 @@ fn two_runs_at_once_do_not_mix() {
     assert!(runs.iter_mut().all(|run| run.wait().unwrap().success()));
     assert!([(64, 36), (96, 54)].contains(&size_of(&folder.path().join("sea.png"))));
     assert_eq!(names_in(folder.path()), ["sea.png"]);
+}
+
+/// An OpenEXR file's header and its channels by name.
+fn read_exr(path: &Path) -> (Header, BTreeMap<String, Vec<f32>>) {
+    use exr::prelude::{ReadChannels, ReadLayers, read};
+    let header = exr::meta::MetaData::read_from_file(path, true).unwrap().headers.remove(0);
+    let image = read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels()
+        .first_valid_layer()
+        .all_attributes()
+        .from_file(path)
+        .unwrap();
+    let channels = image.layer_data.channel_data.list.into_iter();
+    let channels = channels
+        .map(|channel| (channel.name.to_string(), channel.sample_data.values_as_f32().collect()))
+        .collect();
+    (header, channels)
+}
+
+#[test]
+fn light_is_written_linear_and_says_what_it_is() {
+    if !has_adapter() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let render = |arguments: &[&str]| {
+        whitecap(folder.path()).args(["render", "--size", "64x36"]).args(arguments).assert().success()
+    };
+    let report = json(&render(&["spectral-ocean", "-o", "sea.exr", "--json"]));
+    assert_eq!(report["samples"], 4);
+    render(&["spectral-ocean", "-o", "again.exr"]);
+    assert_eq!(names_in(folder.path()), ["again.exr", "sea.exr"]);
+    let [first, again] =
+        ["sea.exr", "again.exr"].map(|name| std::fs::read(folder.path().join(name)).unwrap());
+    assert!(first == again, "the same request gave another file");
+
+    let (header, channels) = read_exr(&folder.path().join("sea.exr"));
+    assert_eq!(channels.keys().collect::<Vec<_>>(), ["B", "G", "R"]);
+    assert_eq!(header.layer_size, exr::math::Vec2(64, 36));
+    assert_eq!(header.own_attributes.white_luminance, Some(1000.0));
+    let comments = header.own_attributes.comments.unwrap().to_string();
+    assert!(comments.contains("spectral-ocean") && comments.contains("4 samples"), "{comments}");
+    // A sunlit sea: some kcd/m², and nothing that a display would have cut off.
+    let green = &channels["G"];
+    assert!(green.iter().all(|light| light.is_finite() && *light > 0.0));
+    assert!(green.iter().copied().fold(0.0, f32::max) > 1.0, "cut off at white");
+
+    render(&["meshuggah", "-o", "classic.exr", "--samples", "2"]);
+    let (header, channels) = read_exr(&folder.path().join("classic.exr"));
+    assert_eq!(header.own_attributes.white_luminance, None);
+    assert!(channels.values().flatten().all(|light| (0.0..=1.0).contains(light)));
+}
+
+#[test]
+fn stills_of_many_samples_are_told_and_repeat() {
+    if !has_adapter() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let render = |name: &str, samples: &str| {
+        let arguments = ["render", "spectral-ocean", "--size", "64x36", "-o", name, "--samples", samples];
+        let told = stdout(&whitecap(folder.path()).args(arguments).assert().success());
+        assert!(told.contains(&format!("{samples} samples a pixel")), "{told}");
+        std::fs::read(folder.path().join(name)).unwrap()
+    };
+    let first = render("first.png", "9");
+    assert!(first == render("again.png", "9"), "the same request gave another picture");
+    assert!(first != render("other.png", "3"), "their number changes nothing");
 }

@@ -3,7 +3,7 @@
 use super::super::Build;
 use crate::geometry::NestedGrid;
 use crate::gpu::resources::{PipelineRequest, bind_group, buffer, linear_sampler};
-use crate::shader_lib::{self, GpuWaterLight};
+use crate::shader_lib::{self, GpuWaterLight, Shader};
 use crate::surface::{FoamMaps, GpuFoam, TileMaps};
 use crate::uniforms::{ViewSlots, sampler_entry, texture_entry, uniform_entry};
 use std::ops::Range;
@@ -58,6 +58,7 @@ pub(super) struct GpuWaters {
 
 pub(super) struct Pipeline {
     pipeline: wgpu::RenderPipeline,
+    aux: Option<wgpu::RenderPipeline>,
     group: wgpu::BindGroup,
     vertices: wgpu::Buffer,
     indices: wgpu::Buffer,
@@ -77,7 +78,8 @@ impl Pipeline {
         let contents = |label, bytes, usage| buffer(device, queue, label, bytes, usage);
         let waters = contents("waters", bytemuck::bytes_of(waters), wgpu::BufferUsages::UNIFORM);
         Pipeline {
-            pipeline: pipeline(build, &layout),
+            pipeline: pipeline(build, &layout, &shader_of(build)),
+            aux: build.aux.then(|| pipeline(build, &layout, &shader_lib::SPECTRAL_OCEAN_AUX)),
             group: ocean_group(device, &layout, tiles, foam, &waters, slots),
             vertices: contents(
                 "nested grid",
@@ -89,7 +91,29 @@ impl Pipeline {
     }
 
     pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, view_offset: u32, parts: &[Range<u32>]) {
-        pass.set_pipeline(&self.pipeline);
+        self.draw_through(&self.pipeline, pass, view_offset, parts);
+    }
+
+    /// Answers whether it was built for this.
+    pub(super) fn draw_aux(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        view_offset: u32,
+        parts: &[Range<u32>],
+    ) -> bool {
+        let Some(pipeline) = &self.aux else { return false };
+        self.draw_through(pipeline, pass, view_offset, parts);
+        true
+    }
+
+    fn draw_through(
+        &self,
+        pipeline: &wgpu::RenderPipeline,
+        pass: &mut wgpu::RenderPass<'_>,
+        view_offset: u32,
+        parts: &[Range<u32>],
+    ) {
+        pass.set_pipeline(pipeline);
         pass.set_bind_group(2, &self.group, &[view_offset]);
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
@@ -150,13 +174,17 @@ pub(super) fn ocean_group(
     bind_group(device, "spectral ocean", layout, resources)
 }
 
-fn pipeline(build: &Build<'_>, group: &wgpu::BindGroupLayout) -> wgpu::RenderPipeline {
+fn shader_of(build: &Build<'_>) -> Shader {
+    let target = build.shared.target;
+    let per_sample = target.sample_shading && target.sample_count > 1;
+    if per_sample { shader_lib::SPECTRAL_OCEAN_PER_SAMPLE } else { shader_lib::SPECTRAL_OCEAN }
+}
+
+fn pipeline(build: &Build<'_>, group: &wgpu::BindGroupLayout, shader: &Shader) -> wgpu::RenderPipeline {
     let (device, shared) = (build.device, build.shared);
-    let per_sample = shared.target.sample_shading && shared.target.sample_count > 1;
-    let shader = if per_sample { shader_lib::SPECTRAL_OCEAN_PER_SAMPLE } else { shader_lib::SPECTRAL_OCEAN };
     let request = PipelineRequest {
         label: "spectral ocean",
-        shader: &shader,
+        shader,
         groups: &[Some(&shared.view_layout), Some(&shared.environment_layout), Some(group)],
         vertices: &[Some(wgpu::VertexBufferLayout {
             array_stride: 12,

@@ -224,6 +224,11 @@ impl Technique for SpectralOcean {
         let Some(seen) = self.seen.get(view) else { return };
         self.pipeline.draw(pass, ViewSlots::<GpuSpectralOcean>::offset(view), seen);
     }
+
+    fn draw_aux(&self, pass: &mut wgpu::RenderPass<'_>, view: usize) -> bool {
+        let Some(seen) = self.seen.get(view) else { return false };
+        self.pipeline.draw_aux(pass, ViewSlots::<GpuSpectralOcean>::offset(view), seen)
+    }
 }
 
 #[cfg(test)]
