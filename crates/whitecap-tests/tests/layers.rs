@@ -1,10 +1,10 @@
 //! What pictures show beside their light is where it says, and is the sea that queries know.
 #![allow(clippy::unwrap_used)] // a test that cannot go on should stop
 
-use glam::{DMat4, DVec2, DVec3, Vec3};
+use glam::{DVec2, DVec3, Vec3};
 use whitecap_render::Gpu;
 use whitecap_render::picture::{AuxPicture, PictureRequest, Shows, render_aux};
-use whitecap_scene::{Camera, Scene, Sky, technique};
+use whitecap_scene::{Camera, Scene, Sky, Technique, object, technique};
 use whitecap_tests::adapter::gpu;
 use whitecap_waves::model::Surface;
 
@@ -25,11 +25,14 @@ fn ocean() -> Scene {
     whitecap_scene::open("spectral-ocean").unwrap()
 }
 
-/// A duck and a box in front of the camera.
-fn with_objects(name: &str) -> Scene {
+/// An island before the camera.
+fn with_island(name: &str) -> Scene {
     let toml = whitecap_scene::named::find(name).unwrap().toml;
-    let toml = format!("{toml}\n[[object]]\nmesh = \"box\"\nposition_m = [-9.0, 0.5, 2.0]\nsize_m = 3.0\n");
-    Scene::from_toml(&toml, "objects.toml").unwrap_or_else(|e| panic!("{e}"))
+    let toml = format!("{toml}\n[[object]]\nmesh = \"island\"\nposition_m = [-90.0, 0.0, 20.0]\n");
+    let mut scene = Scene::from_toml(&toml, "island.toml").unwrap_or_else(|e| panic!("{e}"));
+    scene.camera =
+        Camera { position_m: [0.0, 4.0, 0.0], look_at_m: [-90.0, 4.0, 20.0], vertical_fov_deg: 45.0 };
+    scene
 }
 
 fn position(picture: &AuxPicture, i: usize) -> DVec3 {
@@ -69,7 +72,8 @@ fn positions_and_depths_lie_on_the_rays_of_their_pixels() {
                 assert!((-view.transform_point3(position).z - depth).abs() < tolerance, "{word}: {depth} m");
                 assert!(((position - eye).length() - distance).abs() < tolerance, "{word}: {distance} m");
             }
-            assert!(drawn > 96 * 54 / 4, "{}: {drawn} pixels", technique.word);
+            let is_lake = technique.word == "rippling-lake";
+            assert!(drawn > 96 * 54 / 4 || is_lake && moved_m != DVec3::ZERO, "{}: {drawn}", technique.word);
         }
     }
 }
@@ -82,10 +86,10 @@ fn water_lies_on_the_surface_that_queries_tell() {
     let surface = scene.surface().unwrap();
     let significant_height_m = 4.0 * surface.variance_m2().sqrt();
     let radius_m = match &scene.technique {
-        whitecap_scene::Technique::SpectralOcean(settings) => 1000.0 * settings.curvature_radius_km,
+        Technique::SpectralOcean(settings) => 1000.0 * settings.curvature_radius_km,
         _ => panic!(),
     };
-    for (toward, within) in [([2.0, -4.0, 1.0], 0.004), ([20.0, -4.0, 10.0], 0.02)] {
+    for (toward, within, within_deg) in [([2.0, -4.0, 1.0], 0.003, 3.5), ([20.0, -4.0, 10.0], 0.01, 9.0)] {
         let eye = DVec3::from(scene.camera.position_m);
         scene.camera.look_at_m = (eye + DVec3::from(toward)).to_array();
         let picture = layers(gpu, &scene, 96, 54);
@@ -95,53 +99,48 @@ fn water_lies_on_the_surface_that_queries_tell() {
         let at = |i: usize| position(&picture, i) + picture.origin_m;
         let places: Vec<DVec2> = seen.iter().map(|&i| DVec2::new(at(i).x, at(i).z)).collect();
         let points = surface.query(&places, TIME_S).unwrap();
-        let (mut squares, mut turns, mut worst) = (0.0, 0.0, 0.0_f64);
+        let (mut squares, mut turns) = (0.0, 0.0);
         for ((&i, place), point) in seen.iter().zip(&places).zip(&points) {
             let drop_m = (place - DVec2::new(eye.x, eye.z)).length_squared() / (2.0 * radius_m);
             let error = at(i).y + drop_m - point.displacement_m.y;
             squares += error * error;
-            worst = worst.max(error.abs());
             let normal = Vec3::from(picture.shading.as_ref().unwrap().normal[i]).as_dvec3();
             assert!((normal.length() - 1.0).abs() < 1e-5, "{normal}");
             turns += normal.angle_between(point.normal).powi(2);
         }
         let count = seen.len() as f64;
         let (height, turn) = ((squares / count).sqrt(), (turns / count).sqrt().to_degrees());
-        println!(
-            "{toward:?}: {count} pixels, {height} m rms, {worst} m at worst of {significant_height_m}, {turn}°"
-        );
         assert!(height < within * significant_height_m, "{toward:?}: {height} m of {significant_height_m} m");
-        assert!(turn < 6.0, "{toward:?}: {turn}°");
+        assert!(turn < within_deg, "{toward:?}: {turn}°");
     }
 }
 
 #[test]
-fn objects_are_told_from_water_and_sky() {
+fn objects_are_told_from_water_and_sky_and_stand_in_their_places() {
     let Some(gpu) = gpu() else { return };
     for name in ["spectral-ocean", "meshuggah"] {
-        let mut scene = with_objects(name);
-        scene.camera =
-            Camera { position_m: [0.0, 3.0, 0.0], look_at_m: [-9.0, 1.0, 2.0], vertical_fov_deg: 45.0 };
+        let scene = with_island(name);
+        let ground = object::ground(&scene.read_objects().unwrap()).unwrap();
         let picture = layers(gpu, &scene, 96, 54);
         let count = |wanted| picture.shows.iter().filter(|shows| **shows == wanted).count();
         let counts = [Shows::Sky, Shows::Water, Shows::Object].map(count);
-        assert!(counts.iter().all(|&count| count > 300), "{name}: {counts:?}");
-        // The middle looks at the box, whose faces lie 1.5 m about its place.
-        let middle = 27 * 96 + 48;
-        assert_eq!(picture.shows[middle], Shows::Object);
-        let from_place = position(&picture, middle) - DVec3::new(-9.0, 0.5, 2.0);
-        assert!((from_place.abs().max_element() - 1.5).abs() < 0.01, "{name}: {from_place}");
+        assert!(counts.iter().all(|&count| count > 200), "{name}: {counts:?}");
+        let errors_m = (0..picture.shows.len()).filter(|&i| picture.shows[i] == Shows::Object).map(|i| {
+            let place = position(&picture, i);
+            place.y - ground.height_m(place.x, place.z).unwrap()
+        });
+        // The ground is a coarser grid than the island.
+        let error_m = (errors_m.map(|error| error * error).sum::<f64>() / counts[2] as f64).sqrt();
+        assert!(error_m < 0.05, "{name}: {error_m} m off the ground");
+        // Normals are those of techniques in linear light.
         assert_eq!(picture.shading.is_some(), name == "spectral-ocean");
-        if let Some(shading) = &picture.shading {
-            let face = Vec3::from(shading.normal[middle]).as_dvec3();
-            let largest = face.abs().max_element();
-            assert!((largest - 1.0).abs() < 1e-5, "no face of a box: {face}");
-            for (i, shows) in picture.shows.iter().enumerate() {
-                let length = Vec3::from(shading.normal[i]).length();
-                let expected = if *shows == Shows::Sky { 0.0 } else { 1.0 };
-                assert!((length - expected).abs() < 1e-5, "{shows:?}: {length}");
-                assert!(*shows == Shows::Water || shading.glint[i] == 0.0);
-            }
+        let Some(shading) = &picture.shading else { continue };
+        for (i, shows) in picture.shows.iter().enumerate() {
+            let normal = Vec3::from(shading.normal[i]);
+            let expected = if *shows == Shows::Sky { 0.0 } else { 1.0 };
+            assert!((normal.length() - expected).abs() < 1e-5, "{shows:?}: {normal}");
+            assert!(*shows != Shows::Object || normal.y > 0.0, "{normal} on an island");
+            assert!(*shows == Shows::Water || shading.glint[i] == 0.0);
         }
     }
 }
@@ -176,9 +175,8 @@ fn glint_is_where_water_mirrors_the_sun() {
         }
     }
     let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
-    println!("{} bright, {}° off; {} mirrors", bright.len(), mean(&bright), mirrors.len());
     assert!(
-        bright.len() > 100 && mean(&bright) < 25.0,
+        bright.len() > 100 && mean(&bright) < 15.0,
         "{} bright pixels, {}° off",
         bright.len(),
         mean(&bright)
@@ -189,5 +187,4 @@ fn glint_is_where_water_mirrors_the_sun() {
     sky.sun_elevation_deg = -10.0;
     let night = layers(gpu, &scene, 48, 27);
     assert!(night.shading.unwrap().glint.iter().all(|glint| *glint == 0.0));
-    let _ = DMat4::IDENTITY;
 }

@@ -32,7 +32,7 @@ Examples:
 Same scene, same seed, same time, same adapter: same picture. The file is written whole or not at all, and \
 an existing one is replaced. `whitecap scenes` lists the named scenes, `whitecap adapters` the adapters.";
 
-/// What a pixel of light has without `--samples`: as many as the adapter's own smoothing has, at the same cost.
+/// Samples of a pixel of light without `--samples`: as many as the adapter's own smoothing has.
 const SAMPLES_OF_LIGHT: u32 = 4;
 
 /// Render one picture of a scene, as PNG or as linear light in OpenEXR
@@ -65,7 +65,7 @@ pub(crate) struct Render {
 
     /// Whole drawings whose light is averaged, from 1 to 1024, each a sample a pixel: for smooth stills [default: the
     /// adapter's own smoothing, 4 samples of edges and glints; 4 for .exr]
-    #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES)))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES)))]
     samples: Option<u32>,
 
     /// Also write what each pixel's centre shows: depth, position, normal, masks of water, objects, sky and sun glint,

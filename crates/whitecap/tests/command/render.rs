@@ -344,3 +344,64 @@ fn stills_of_many_samples_are_told_and_repeat() {
     assert!(first == render("again.png", "9"), "the same request gave another picture");
     assert!(first != render("other.png", "3"), "their number changes nothing");
 }
+
+#[test]
+fn what_a_picture_shows_is_written_beside_it() {
+    if !has_adapter() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let render = |arguments: &[&str]| {
+        let render = ["render", "--size", "64x36", "--aux", "--json"];
+        json(&whitecap(folder.path()).args(render).args(arguments).assert().success())
+    };
+    assert_eq!(render(&["spectral-ocean"])["aux"], "spectral-ocean.aux.exr");
+    let read = |name: &str| std::fs::read(folder.path().join(name)).unwrap();
+    let first = read("spectral-ocean.aux.exr");
+    render(&["spectral-ocean", "-o", "sea.exr", "--samples", "2"]);
+    assert_eq!(
+        names_in(folder.path()),
+        ["sea.aux.exr", "sea.exr", "spectral-ocean.aux.exr", "spectral-ocean.png"]
+    );
+    assert!(read("sea.aux.exr") == first, "it depends on the picture beside it");
+
+    let (header, channels) = read_exr(&folder.path().join("sea.aux.exr"));
+    let names = "N.X N.Y N.Z P.X P.Y P.Z Z distance.Z glint.X object.X sky.X water.X";
+    assert_eq!(channels.keys().map(String::as_str).collect::<Vec<_>>().join(" "), names);
+    // Vectors are rows: the device's x and y run from the top left corner to 1.
+    let device = header.own_attributes.world_to_normalized_device.unwrap();
+    let camera = header.own_attributes.world_to_camera.unwrap();
+    for i in 0..64 * 36 {
+        let masks = ["water.X", "object.X", "sky.X"].map(|name| channels[name][i]);
+        assert!(masks.iter().sum::<f32>() == 1.0 && masks.contains(&1.0), "{masks:?}");
+        assert_eq!(channels["Z"][i] == f32::INFINITY, channels["sky.X"][i] == 1.0);
+        assert!((0.0..=1.0).contains(&channels["glint.X"][i]));
+        if channels["sky.X"][i] == 0.0 {
+            let place = ["P.X", "P.Y", "P.Z"].map(|name| channels[name][i]);
+            let column = |matrix: &[f32; 16], c: usize| {
+                (0..3).map(|r| place[r] * matrix[4 * r + c]).sum::<f32>() + matrix[12 + c]
+            };
+            let found = [64.0, 36.0].map(|pixels| pixels / column(&device, 3));
+            let found = [found[0] * column(&device, 0), found[1] * column(&device, 1)];
+            let centre = [(i % 64) as f32 + 0.5, (i / 64) as f32 + 0.5];
+            assert!((0..2).all(|axis| (found[axis] - centre[axis]).abs() < 0.01), "{found:?}, {centre:?}");
+            let depth = column(&camera, 2);
+            assert!((depth / channels["Z"][i] - 1.0).abs() < 1e-3, "{depth} m");
+        }
+    }
+
+    render(&["meshuggah"]);
+    let (_, channels) = read_exr(&folder.path().join("meshuggah.aux.exr"));
+    let names = "P.X P.Y P.Z Z distance.Z object.X sky.X water.X";
+    assert_eq!(channels.keys().map(String::as_str).collect::<Vec<_>>().join(" "), names);
+}
+
+#[test]
+fn a_place_that_the_second_file_cannot_have_is_refused_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("sea.aux.exr")).unwrap();
+    let arguments = ["render", "--adapter", "none is asked", "-o", "sea.png", "--aux"];
+    let assert = whitecap(folder.path()).args(arguments).assert().code(2);
+    assert!(sentence(&assert).contains("sea.aux.exr is a folder"), "{}", stderr(&assert));
+    assert_eq!(names_in(folder.path()), ["sea.aux.exr"]);
+}
