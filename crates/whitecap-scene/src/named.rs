@@ -1,4 +1,8 @@
-//! The scenes that come with the library, each a file that can be copied and changed.
+//! The scenes that come with the library, each a file that can be copied and changed, and the files that they need.
+
+use std::path::Path;
+
+use crate::reader::quoted_list;
 
 /// A scene that is found by name.
 #[derive(Clone, Copy, Debug)]
@@ -11,8 +15,26 @@ pub struct NamedScene {
     pub toml: &'static str,
 }
 
+/// What begins the name of a file that comes with the library, where a scene says a file.
+const PREFIX: &str = "named:";
+
+/// Every file that named scenes need, and what it is called after `named:`.
+const FILES: &[(&str, &[u8])] = &[("buoy.spec", include_bytes!("../data/buoy.spec"))];
+
+/// What is in the file that a scene calls `named:…`; `None` for a path. An unknown name has no bytes.
+pub(crate) fn file(path: &Path) -> Option<Option<&'static [u8]>> {
+    let name = path.to_str()?.strip_prefix(PREFIX)?;
+    Some(FILES.iter().find(|file| file.0 == name).map(|file| file.1))
+}
+
+/// The names of those files as scenes say them.
+pub(crate) fn files() -> String {
+    let names: Vec<_> = FILES.iter().map(|file| format!("{PREFIX}{}", file.0)).collect();
+    quoted_list(&names.iter().map(String::as_str).collect::<Vec<_>>())
+}
+
 /// The scene that is shown when none is asked for.
-pub const DEFAULT: &str = "meshuggah";
+pub const DEFAULT: &str = "spectral-ocean";
 
 /// A line for each scene: the name of its file in `scenes/`, and its title.
 macro_rules! scenes {
@@ -51,6 +73,11 @@ scenes! {
     "spectral-ocean-storm": "Our ocean in a gale, from a ship's deck",
     "spectral-ocean-swell": "Our ocean with a long swell towards evening",
     "spectral-ocean-shallow": "Our ocean over a shelf 8 m deep, waves against the tide",
+    "spectral-ocean-dawn": "Our ocean at sunrise, all but calm",
+    "spectral-ocean-crossing": "Our ocean where two seas cross at right angles",
+    "spectral-ocean-tropical": "Our ocean in a lagoon of 5 m over white sand",
+    "spectral-ocean-aircraft": "Our ocean from 1500 m, with the sun's glitter and whitecaps",
+    "spectral-ocean-buoy": "Our ocean as a directional record has it, a wind sea under a swell",
 }
 
 /// The named scene of this name.

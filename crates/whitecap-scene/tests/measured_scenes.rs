@@ -174,6 +174,34 @@ fn seas_that_cannot_be_are_refused_or_warned_of() {
     }
 }
 
+/// A tail goes on from the last frequency as f⁻⁵: S f/4 of it in all, and none of the file's own waves changes.
+#[test]
+fn a_tail_is_that_of_a_wind_sea() {
+    let sea = |tail: bool| {
+        let scene = format!(
+            "technique = \"spectral-ocean\"\n[[sea.system]]\nmeasured = \"named:buoy.spec\"\ntail = {tail}\n{CAMERA}"
+        );
+        Scene::from_toml(&scene, "scene.toml").unwrap()
+    };
+    let variance_m2 = |scene: &Scene| scene.sea.spectra().unwrap()[0].variance_m2();
+    let [without, with] = [sea(false), sea(true)];
+    let record = &whitecap_scene::measured::load(Path::new("named:buoy.spec")).unwrap()[0];
+    let found = variance_m2(&with) - variance_m2(&without);
+    assert!((found / record.variance_beyond_m2() - 1.0).abs() < 0.02, "{found}");
+    let longest = record.with_tail();
+    assert_eq!(longest.frequencies_hz[..28], record.frequencies_hz[..]);
+    assert!(longest.frequencies_hz.last().is_some_and(|hz| (9.5..=10.0).contains(hz)));
+}
+
+#[test]
+fn an_unknown_named_file_is_refused_with_those_that_there_are() {
+    let said = open("measured = \"named:bouy.spec\"").unwrap_err().to_string();
+    assert!(
+        said.contains("no such file comes with whitecap; accepted: \"named:buoy.spec\", or a path"),
+        "{said}"
+    );
+}
+
 /// Text alone has no folder: nothing is opened, and what is written back is the same scene.
 #[test]
 fn text_is_read_without_its_files() {

@@ -9,9 +9,12 @@ use toml::{Table, Value};
 use whitecap_scene::reference::{Accepts, KeyDoc, WhenAbsent, differences, markdown, reference};
 use whitecap_scene::{Scene, SceneError, named, sea, sky, technique};
 
-/// The default scene drawn by `technique`, with that technique's own sea and settings.
+/// A scene of one wave system, which every technique that draws spectra can draw.
+const PLAIN: &str = "meshuggah";
+
+/// The plain scene drawn by `technique`, with that technique's own sea and settings.
 fn scene_drawn_by(technique: &str) -> Table {
-    let scene = whitecap_scene::open(named::DEFAULT).unwrap();
+    let scene = whitecap_scene::open(PLAIN).unwrap();
     let drawn_by = scene.technique.word();
     let mut scene: Table = scene.to_toml().unwrap().parse().unwrap();
     if technique != drawn_by {
@@ -50,8 +53,10 @@ fn scene_with_table_of(doc: &KeyDoc) -> Table {
             };
             scene_drawn_by(technique::ALL.iter().map(|technique| technique.word).find(linear).unwrap())
         }
+        // Without it, the default technique draws.
+        ("", _) => whitecap_scene::open(named::DEFAULT).unwrap().to_toml().unwrap().parse().unwrap(),
         (table, _) if technique::ALL.iter().any(|technique| technique.word == table) => scene_drawn_by(table),
-        _ => whitecap_scene::open(named::DEFAULT).unwrap().to_toml().unwrap().parse().unwrap(),
+        _ => whitecap_scene::open(PLAIN).unwrap().to_toml().unwrap().parse().unwrap(),
     };
     if doc.table == "sea.wave[]" {
         let wave = || -> Table {

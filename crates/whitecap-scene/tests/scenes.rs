@@ -17,6 +17,7 @@ use whitecap_scene::{Camera, Picture, Scene, Sea, Sky, Technique, named};
 #[test]
 fn a_scene_says_what_its_file_says() {
     let text = r#"
+        technique = "meshuggah"
         seed = 7
         [sea]
         tile_size_m = 120

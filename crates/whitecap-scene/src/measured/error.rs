@@ -35,6 +35,13 @@ pub enum MeasuredProblem {
     #[error("cannot be read: {0}")]
     Unreadable(#[source] io::Error),
 
+    /// There is no file of this name in the library.
+    #[error("no such file comes with whitecap; accepted: {accepted}, or a path")]
+    NoNamed {
+        /// The names that there are.
+        accepted: String,
+    },
+
     /// It is a folder.
     #[error("this is a folder; accepted: a file of wave spectra")]
     Folder,

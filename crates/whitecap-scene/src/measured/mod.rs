@@ -32,16 +32,23 @@ pub use time::Time;
 
 use text::Text;
 
+use crate::named;
+
 /// The longest file that is read, bytes: a year of a buoy has three million.
 pub const MAX_FILE_BYTES: u64 = 64 << 20;
 
-/// Reads every record of a file, and of the files of directions beside it.
+/// Reads every record of a file, and of the files of directions beside it; `named:…` is a file that comes with the library.
 ///
 /// # Errors
 ///
 /// If the file cannot be read, is of another format, is damaged, or is longer than [`MAX_FILE_BYTES`].
 pub fn load(path: &Path) -> Result<Vec<MeasuredSea>, MeasuredError> {
     let name = path.display().to_string();
+    if let Some(known) = named::file(path) {
+        let bytes =
+            known.ok_or_else(|| MeasuredProblem::NoNamed { accepted: named::files() }.in_file(&name))?;
+        return from_bytes(bytes, &name);
+    }
     let bytes = bytes_of(path)?;
     if !ndbc::is_real_time(first_line(&bytes)) {
         return from_bytes(&bytes, &name);

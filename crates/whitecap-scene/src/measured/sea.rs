@@ -19,6 +19,10 @@ const DIRECTIONS: usize = 180;
 /// The exponent of cos^{2s}(θ/2) for a file without directions: Goda and Suzuki (1975) for wind waves.
 pub(crate) const DEFAULT_COS2S: f64 = 10.0;
 
+/// Where a tail ends, and its frequencies as multiples of each other.
+const TAIL_END_HZ: f64 = 10.0;
+const TAIL_STEP: f64 = 1.05;
+
 /// What a file is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -136,6 +140,31 @@ impl MeasuredSea {
     pub fn variance_beyond_m2(&self) -> f64 {
         let last = self.density_m2phz().last().copied().unwrap_or(0.0);
         0.25 * last * self.frequencies_hz.last().copied().unwrap_or(0.0)
+    }
+
+    /// The same waves, and beyond the last frequency those that a wind sea has: they go on as f⁻⁵, in its directions, to 10 Hz,
+    /// waves of 17 mm. Wave models end their own spectra so (*WAVEWATCH III* manual, section 2.3).
+    pub fn with_tail(&self) -> MeasuredSea {
+        let Some(&last_hz) = self.frequencies_hz.last() else { return self.clone() };
+        let beyond = std::iter::successors(Some(TAIL_STEP * last_hz), |hz| Some(TAIL_STEP * hz));
+        let beyond: Vec<f64> = beyond.take_while(|hz| *hz <= TAIL_END_HZ).collect();
+        let shares = beyond.iter().map(|hz| (last_hz / hz).powi(5));
+        let frequencies_hz = self.frequencies_hz.iter().chain(&beyond).copied().collect();
+        let mut energy = self.energy.clone();
+        let extend = |density: &mut Vec<f64>, columns: usize| {
+            let last = density[density.len() - columns..].to_vec();
+            density.extend(shares.clone().flat_map(|share| last.iter().map(move |value| share * value)));
+        };
+        match &mut energy {
+            Energy::Missing | Energy::Calm => {}
+            Energy::Omnidirectional { density } | Energy::Undirected { density, .. } => extend(density, 1),
+            Energy::Moments { density, moments } => {
+                extend(density, 1);
+                moments.extend(shares.clone().map(|_| None));
+            }
+            Energy::Directional { toward_rad, density } => extend(density, toward_rad.len()),
+        }
+        MeasuredSea { frequencies_hz, energy, ..self.clone() }
     }
 
     /// S(f) in m²/Hz of each frequency, over all directions; empty without waves.

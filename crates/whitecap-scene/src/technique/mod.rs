@@ -54,7 +54,7 @@ pub(crate) const TAG: Tag<Technique> = Tag {
     key: "technique",
     noun: "technique",
     doc: "How the water is drawn; the technique's settings are in the table of its name.",
-    default: TagDefault::Word("meshuggah"),
+    default: TagDefault::Word("spectral-ocean"),
     all: ALL,
 };
 

@@ -24,7 +24,7 @@ fn every_verb_is_listed_and_explains_itself_with_an_example() {
 fn help_says_what_is_taken_by_default() {
     let folder = tempfile::tempdir().unwrap();
     let help = stdout(&whitecap(folder.path()).args(["render", "--help"]).assert().success());
-    for default in ["[default: meshuggah]", "[default: 1280x720]", "[default: 0]", "current folder"] {
+    for default in ["[default: spectral-ocean]", "[default: 1280x720]", "[default: 0]", "current folder"] {
         assert!(help.contains(default), "{default} is missing from:\n{help}");
     }
 }

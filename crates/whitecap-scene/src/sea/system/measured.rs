@@ -1,5 +1,6 @@
 //! A wave system that somebody measured: [`crate::measured`] reads the file itself.
 
+use std::borrow::Cow;
 use std::path::PathBuf;
 
 use whitecap_waves::dispersion::Dispersion;
@@ -9,7 +10,7 @@ use whitecap_waves::statistics::significant_height_m;
 
 use super::{asked::HEIGHT, warnings};
 use crate::error::SceneError;
-use crate::key::{Count, File, Moment, Name, OneOf, Real, optional, required, table, words};
+use crate::key::{Count, File, Flag, Moment, Name, OneOf, Real, optional, or, required, table, words};
 use crate::measured::{self, Directions, MeasuredProblem, MeasuredSea, Selection, Time, When};
 use crate::reader::TableReader;
 
@@ -26,7 +27,7 @@ words! {
 table! {
     /// A measured or forecast sea: a table `[[sea.system]]` with `measured` in place of `spectrum`.
     pub struct MeasuredSystem {
-        /// The file of spectra: NDBC real-time (`.data_spec`, with its files of directions beside it) or historical density, WAVEWATCH III point output, or a SWAN spectral file.
+        /// The file of spectra: NDBC real-time (`.data_spec`, with its files of directions beside it) or historical density, WAVEWATCH III point output, or a SWAN spectral file. `named:buoy.spec` comes with whitecap.
         measured: PathBuf = required(File);
         /// The time of the record, which must be in the file.
         time: Option<Time> = optional(Moment, "the newest record that has waves, and directions if any has");
@@ -34,6 +35,9 @@ table! {
         record: Option<u32> = optional(Count { min: 0, max: 1_048_575 }, "see `time`");
         /// The place in a file of several: its name, or its number from 1.
         place: Option<String> = optional(Name, "the first place");
+        /// Whether waves go on beyond the file's last frequency, as f⁻⁵: a buoy's record ends at waves of some metres, and without
+        /// shorter ones the water looks like glass.
+        tail: bool = or(Flag, false);
         /// How directions are made from moments; for NDBC files with directions and SWAN files of means.
         direction_method: Option<DirectionMethod> = optional(OneOf::<DirectionMethod>::WORDS, "`\"mem\"`");
         /// The bearing that the waves of a file without directions come from, clockwise from north; such a file needs it.
@@ -61,7 +65,12 @@ impl MeasuredSystem {
     ///
     /// If the file cannot be read or has no such record.
     pub fn load(&self, table: &str) -> Result<MeasuredSea, SceneError> {
-        self.chosen(table, &self.records(table)?).cloned()
+        self.chosen(table, &self.records(table)?).map(|record| self.drawn(record).into_owned())
+    }
+
+    /// The record with the tail that it is drawn with.
+    fn drawn<'a>(&self, record: &'a MeasuredSea) -> Cow<'a, MeasuredSea> {
+        if self.tail { Cow::Owned(record.with_tail()) } else { Cow::Borrowed(record) }
     }
 
     fn records(&self, table: &str) -> Result<Vec<MeasuredSea>, SceneError> {
@@ -119,7 +128,8 @@ impl MeasuredSystem {
         let table = "sea.system";
         let Ok(seas) = self.records(table) else { return Vec::new() };
         let Ok(chosen) = self.chosen(table, &seas) else { return Vec::new() };
-        let about_file = [self.skipped(&seas, chosen), self.resummed(chosen, spectrum), self.cut_off(chosen)];
+        let drawn = self.drawn(chosen);
+        let about_file = [self.skipped(&seas, chosen), self.resummed(&drawn, spectrum), self.cut_off(&drawn)];
         let height_m = significant_height_m(spectrum.variance_m2());
         let peak = Profile::of(&spectrum).peak_wave_number();
         let about_waves = warnings::about_waves(height_m, peak, water, "");
@@ -159,7 +169,7 @@ impl MeasuredSystem {
         }
         Some(format!(
             "{} ends at {} Hz, among its waves: {:.2} m of significant height, {whole_m:.2} m if they went on as wind \
-             seas do; nothing beyond the file is drawn",
+             seas do; nothing beyond the file is drawn without tail = true",
             self.measured.display(),
             chosen.frequencies_hz.last()?,
             significant_height_m(there)

@@ -30,6 +30,7 @@ use parametric::Parametric;
 
 use crate::error::SceneError;
 use crate::key::{Key, Tables};
+use crate::named;
 use crate::reader::TableReader;
 use crate::registry::{Registered, Tag, TagDefault};
 
@@ -167,10 +168,10 @@ impl System {
         }
     }
 
-    /// The file that it is read from, if it is.
+    /// The file of the user's that it is read from, if it is.
     pub(crate) fn file_mut(&mut self) -> Option<&mut PathBuf> {
         match self {
-            Self::Measured(system) => Some(&mut system.measured),
+            Self::Measured(system) if named::file(&system.measured).is_none() => Some(&mut system.measured),
             _ => None,
         }
     }
