@@ -115,6 +115,33 @@ fn water_lies_on_the_surface_that_queries_tell() {
     }
 }
 
+/// The classics draw their seas as they draw them, coarser than queries know them; positions are those of the same waves.
+#[test]
+fn water_of_every_technique_moves_as_queries_tell() {
+    let Some(gpu) = gpu() else { return };
+    for technique in technique::ALL {
+        let scene = whitecap_scene::open(technique.word).unwrap();
+        let surface = scene.surface().unwrap();
+        let picture = layers(gpu, &scene, 96, 54);
+        let seen: Vec<DVec3> = (0..picture.shows.len())
+            .filter(|&i| picture.shows[i] == Shows::Water && picture.distance_m[i] < 30.0)
+            .map(|i| position(&picture, i) + picture.origin_m)
+            .collect();
+        let places: Vec<DVec2> = seen.iter().map(|at| DVec2::new(at.x, at.z)).collect();
+        let points = surface.query(&places, TIME_S).unwrap();
+        let rms = |values: &mut dyn Iterator<Item = f64>| {
+            (values.map(|value| value * value).sum::<f64>() / seen.len().max(1) as f64).sqrt()
+        };
+        let error = rms(&mut seen.iter().zip(&points).map(|(at, point)| at.y - point.displacement_m.y));
+        let deviation = surface.variance_m2().sqrt();
+        assert!(
+            seen.len() > 1000 && error < 0.003 + 0.1 * deviation,
+            "{}: {error} m of {deviation} m",
+            technique.word
+        );
+    }
+}
+
 #[test]
 fn objects_are_told_from_water_and_sky_and_stand_in_their_places() {
     let Some(gpu) = gpu() else { return };

@@ -154,7 +154,9 @@ impl Render {
             if done == 0 || stage != Stage::Draw {
                 stages.begin(stage.label());
             }
-            stages.tell(&format!("{done} of {count} samples"));
+            if stage == Stage::Draw {
+                stages.tell(&format!("{done} of {count} samples"));
+            }
         };
         let bytes = if is_exr {
             let light = render_light(gpu, scene, request, count, &mut progress)?;

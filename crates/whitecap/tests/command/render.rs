@@ -371,13 +371,14 @@ fn what_a_picture_shows_is_written_beside_it() {
     // Vectors are rows: the device's x and y run from the top left corner to 1.
     let device = header.own_attributes.world_to_normalized_device.unwrap();
     let camera = header.own_attributes.world_to_camera.unwrap();
+    let at = |name: &str, i: usize| channels[name][i];
     for i in 0..64 * 36 {
-        let masks = ["water.X", "object.X", "sky.X"].map(|name| channels[name][i]);
+        let masks = ["water.X", "object.X", "sky.X"].map(|name| at(name, i));
         assert!(masks.iter().sum::<f32>() == 1.0 && masks.contains(&1.0), "{masks:?}");
-        assert_eq!(channels["Z"][i] == f32::INFINITY, channels["sky.X"][i] == 1.0);
-        assert!((0.0..=1.0).contains(&channels["glint.X"][i]));
-        if channels["sky.X"][i] == 0.0 {
-            let place = ["P.X", "P.Y", "P.Z"].map(|name| channels[name][i]);
+        assert_eq!(at("Z", i) == f32::INFINITY, at("sky.X", i) == 1.0);
+        assert!((0.0..=1.0).contains(&at("glint.X", i)));
+        if at("sky.X", i) == 0.0 {
+            let place = ["P.X", "P.Y", "P.Z"].map(|name| at(name, i));
             let column = |matrix: &[f32; 16], c: usize| {
                 (0..3).map(|r| place[r] * matrix[4 * r + c]).sum::<f32>() + matrix[12 + c]
             };
@@ -386,7 +387,7 @@ fn what_a_picture_shows_is_written_beside_it() {
             let centre = [(i % 64) as f32 + 0.5, (i / 64) as f32 + 0.5];
             assert!((0..2).all(|axis| (found[axis] - centre[axis]).abs() < 0.01), "{found:?}, {centre:?}");
             let depth = column(&camera, 2);
-            assert!((depth / channels["Z"][i] - 1.0).abs() < 1e-3, "{depth} m");
+            assert!((depth / at("Z", i) - 1.0).abs() < 1e-3, "{depth} m");
         }
     }
 
