@@ -5,6 +5,7 @@ use crate::gpu::{checked, read_texture};
 use crate::surface::Backend;
 use crate::timing::PassTimer;
 use crate::{Gpu, PassTime, RenderError, TargetFormat, View, Water, WaterOptions};
+use glam::{Mat4, Vec3};
 use whitecap_scene::Scene;
 
 /// What to render.
@@ -68,6 +69,13 @@ const STILL: TargetFormat = TargetFormat {
     sample_shading: true,
 };
 
+/// The same samples as four frames of one sample each: a processor that draws shades whole blocks of pixels for every triangle,
+/// and does so for each sample where they are drawn at once.
+const FRAME_OF_STILL: TargetFormat = TargetFormat { sample_count: 1, ..STILL };
+
+/// Where WebGPU's four samples of a pixel lie from its middle (right, down), pixels.
+const SAMPLES_PX: [[f32; 2]; 4] = [[-0.125, -0.375], [0.375, -0.125], [-0.375, 0.125], [0.125, 0.375]];
+
 /// Renders `scene` as its camera sees it. `progress` hears of each stage as it begins.
 ///
 /// # Errors
@@ -99,34 +107,74 @@ fn draw(
     progress(Stage::Sky);
     let environment = Environment::new(scene)?;
     progress(Stage::Setup);
-    let target = STILL;
+    let view = View::of_camera(&scene.camera, [request.width, request.height]);
+    let (target, views) = if scene.technique.is_scene_linear() {
+        (FRAME_OF_STILL, SAMPLES_PX.map(|sample| seen_at(&view, sample)).to_vec())
+    } else {
+        (STILL, vec![view])
+    };
     let options = WaterOptions { backend: request.backend };
     let mut water = Water::with_options(device, queue, scene, &environment, target, &options)?;
     drop(environment);
     let attachments =
         checked(device, "a picture of this size", || Ok(Attachments::new(device, request, &target)))?;
     progress(Stage::Draw);
-    let view = View::of_camera(&scene.camera, [request.width, request.height]);
-    checked(device, "the frame", || {
-        let mut encoder = device.create_command_encoder(&Default::default());
-        water.prepare(device, queue, &mut encoder, &[view], request.time_s)?;
-        let mut pass = attachments.begin(&mut encoder, &target, true);
-        water.draw(&mut pass, 0);
-        water.draw_sky(&mut pass, 0);
-        drop(pass);
-        queue.submit([encoder.finish()]);
-        device
-            .poll(wgpu::PollType::wait_indefinitely())
-            .map_err(|e| RenderError::DeviceLost { reason: e.to_string() })?;
-        Ok(())
-    })?;
-    progress(Stage::ReadBack);
-    let mut rgba8 =
-        checked(device, "the picture's read-back", || read_texture(device, queue, &attachments.resolved))?;
+    let mut frames = Frames::default();
+    for frame in 0..views.len() {
+        checked(device, "the frame", || {
+            let mut encoder = device.create_command_encoder(&Default::default());
+            if frame == 0 {
+                water.prepare(device, queue, &mut encoder, &views, request.time_s)?;
+            }
+            let mut pass = attachments.begin(&mut encoder, &target, true);
+            water.draw(&mut pass, frame);
+            water.draw_sky(&mut pass, frame);
+            drop(pass);
+            queue.submit([encoder.finish()]);
+            device
+                .poll(wgpu::PollType::wait_indefinitely())
+                .map_err(|e| RenderError::DeviceLost { reason: e.to_string() })?;
+            Ok(())
+        })?;
+        if frame + 1 == views.len() {
+            progress(Stage::ReadBack);
+        }
+        let read = || read_texture(device, queue, &attachments.resolved);
+        frames.add(checked(device, "the picture's read-back", read)?);
+    }
+    let mut rgba8 = frames.mean();
     // Alpha is a matter between a technique and its host; a picture is opaque.
     rgba8.iter_mut().skip(3).step_by(4).for_each(|alpha| *alpha = u8::MAX);
     gpu.check()?;
     Ok(Picture { width: request.width, height: request.height, rgba8 })
+}
+
+/// What `view` sees when its pixels lie this far (right, down) from their places, in pixels.
+fn seen_at(view: &View, [right, down]: [f32; 2]) -> View {
+    let [width, height] = view.size_px.map(|side| side as f32);
+    let shift = Mat4::from_translation(Vec3::new(-2.0 * right / width, 2.0 * down / height, 0.0));
+    View { clip_from_view: shift * view.clip_from_view, ..*view }
+}
+
+/// The sum of frames of bytes.
+#[derive(Default)]
+struct Frames {
+    sums: Vec<u16>,
+    count: u16,
+}
+
+impl Frames {
+    fn add(&mut self, frame: Vec<u8>) {
+        self.sums.resize(frame.len(), 0);
+        self.sums.iter_mut().zip(frame).for_each(|(sum, byte)| *sum += u16::from(byte));
+        self.count += 1;
+    }
+
+    /// Rounded.
+    fn mean(&self) -> Vec<u8> {
+        let count = self.count.max(1);
+        self.sums.iter().map(|sum| ((sum + count / 2) / count) as u8).collect()
+    }
 }
 
 /// Renders `runs` frames of `scene`, a thirtieth of a second apart, as a window would show them (one sample a
@@ -269,5 +317,37 @@ impl Attachments {
             occlusion_query_set: None,
             multiview_mask: None,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec4Swizzles;
+    use whitecap_scene::Camera;
+
+    #[test]
+    fn a_sample_sees_what_lies_beside_the_pixels_middle() {
+        let camera = Camera { position_m: [0.0; 3], look_at_m: [1.0, 0.0, 0.0], vertical_fov_deg: 45.0 };
+        let view = View::of_camera(&camera, [320, 180]);
+        let place_px = |view: &View| {
+            let clip = view.clip_from_eye_world() * Vec3::new(30.0, 4.0, 7.0).extend(1.0);
+            let across = clip.xy() / clip.w * 0.5;
+            [320.0 * across.x, -180.0 * across.y]
+        };
+        let [x, y] = place_px(&view);
+        for [right, down] in SAMPLES_PX {
+            let [shifted_x, shifted_y] = place_px(&seen_at(&view, [right, down]));
+            assert!((x - shifted_x - right).abs() < 1e-3 && (y - shifted_y - down).abs() < 1e-3);
+        }
+    }
+
+    #[test]
+    fn frames_are_averaged_to_the_nearest_byte() {
+        let mut frames = Frames::default();
+        for frame in [[0, 255, 1], [0, 255, 2], [1, 255, 2], [0, 255, 1]] {
+            frames.add(frame.to_vec());
+        }
+        assert_eq!(frames.mean(), [0, 255, 2]);
     }
 }

@@ -152,8 +152,11 @@ pub(super) fn ocean_group(
 
 fn pipeline(build: &Build<'_>, group: &wgpu::BindGroupLayout) -> wgpu::RenderPipeline {
     let (device, shared) = (build.device, build.shared);
-    let per_sample = shared.target.sample_shading && shared.target.sample_count > 1;
-    let shader = if per_sample { shader_lib::SPECTRAL_OCEAN_PER_SAMPLE } else { shader_lib::SPECTRAL_OCEAN };
+    let shader = if shared.target.sample_shading {
+        shader_lib::SPECTRAL_OCEAN_PER_SAMPLE
+    } else {
+        shader_lib::SPECTRAL_OCEAN
+    };
     let request = PipelineRequest {
         label: "spectral ocean",
         shader: &shader,
