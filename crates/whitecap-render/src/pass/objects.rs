@@ -123,6 +123,7 @@ impl ObjectPass {
         let request = PipelineRequest {
             label: "objects",
             shader: if shared.skies.is_some() { &shader_lib::LINEAR_OBJECTS } else { &shader_lib::OBJECTS },
+            constants: &[],
             groups: &[Some(&shared.view_layout), Some(&shared.environment_layout), Some(&objects.layout)],
             vertices: &[Some(wgpu::VertexBufferLayout {
                 array_stride: size_of::<GpuVertex>() as u64,

@@ -121,6 +121,11 @@ impl FoamMaps {
         self.structure.create_view(&Default::default())
     }
 
+    /// Tiles with breaking waves.
+    pub fn tile_count(&self) -> usize {
+        self.foam.as_ref().map_or(0, |foam| foam.tiles().len())
+    }
+
     /// What shaders need for an eye over this place, metres.
     pub fn uniforms(&self, eye_m: DVec2) -> GpuFoam {
         let Some(foam) = &self.foam else { return GpuFoam::default() };

@@ -86,6 +86,8 @@ pub struct Build<'a> {
     pub(crate) objects: &'a Objects,
     /// Who works a spectral sea out; `None` leaves it to [`Backend::auto`].
     pub backend: Option<Backend>,
+    /// What the spectral ocean leaves out.
+    pub(crate) without: Option<spectral_ocean::Feature>,
     /// Irradiance on the sea, linear, per channel.
     pub irradiance: glam::Vec3,
     /// Display brightness of the sky against a day's, see [`crate::environment::Environment::daylight`].
@@ -114,6 +116,7 @@ impl<'a> Build<'a> {
             shared,
             objects,
             backend: None,
+            without: None,
             irradiance,
             daylight: 1.0,
             light: None,

@@ -1,6 +1,7 @@
 //! The spectral ocean's pipeline, buffers and layouts.
 
 use super::super::Build;
+use crate::environment::Air;
 use crate::geometry::NestedGrid;
 use crate::gpu::resources::{PipelineRequest, bind_group, buffer, linear_sampler};
 use crate::shader_lib::{self, GpuWaterLight};
@@ -77,7 +78,7 @@ impl Pipeline {
         let contents = |label, bytes, usage| buffer(device, queue, label, bytes, usage);
         let waters = contents("waters", bytemuck::bytes_of(waters), wgpu::BufferUsages::UNIFORM);
         Pipeline {
-            pipeline: pipeline(build, &layout),
+            pipeline: pipeline(build, &layout, tiles.len(), foam.tile_count()),
             group: ocean_group(device, &layout, tiles, foam, &waters, slots),
             vertices: contents(
                 "nested grid",
@@ -150,16 +151,32 @@ pub(super) fn ocean_group(
     bind_group(device, "spectral ocean", layout, resources)
 }
 
-fn pipeline(build: &Build<'_>, group: &wgpu::BindGroupLayout) -> wgpu::RenderPipeline {
+fn pipeline(
+    build: &Build<'_>,
+    group: &wgpu::BindGroupLayout,
+    cascades: usize,
+    foam_tiles: usize,
+) -> wgpu::RenderPipeline {
     let (device, shared) = (build.device, build.shared);
     let shader = if shared.target.sample_shading {
         shader_lib::SPECTRAL_OCEAN_PER_SAMPLE
     } else {
         shader_lib::SPECTRAL_OCEAN
     };
+    let under_panorama = build.light.is_some_and(|light| matches!(light.air, Air::Photographed { .. }));
+    let mut constants = vec![
+        ("CASCADES", cascades as f64),
+        ("FOAM_TILES", foam_tiles as f64),
+        ("UNDER_PANORAMA", f64::from(u8::from(under_panorama))),
+    ];
+    if let Some(feature) = build.without {
+        constants.retain(|(name, _)| *name != feature.constant());
+        constants.push((feature.constant(), 0.0));
+    }
     let request = PipelineRequest {
         label: "spectral ocean",
         shader: &shader,
+        constants: &constants,
         groups: &[Some(&shared.view_layout), Some(&shared.environment_layout), Some(group)],
         vertices: &[Some(wgpu::VertexBufferLayout {
             array_stride: 12,
