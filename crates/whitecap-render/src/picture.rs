@@ -214,9 +214,8 @@ pub fn time_features(
         std::iter::once(None).chain(Feature::ALL.iter().copied().map(Some)).collect();
     let frames = timed_frames(gpu, scene, request, runs, &variants)?;
     let Some((whole, rest)) = frames.split_first() else { return Ok((Vec::new(), Vec::new())) };
-    let water_ms = |passes: &[PassTime]| {
-        passes.iter().find(|pass| pass.name == WATER).map_or(f64::NAN, |pass| pass.ms)
-    };
+    let water_ms =
+        |passes: &[PassTime]| passes.iter().find(|pass| pass.name == WATER).map_or(f64::NAN, |pass| pass.ms);
     let cost = |(feature, without): (&Feature, &Vec<Vec<PassTime>>)| {
         let turns = whole.iter().zip(without);
         let differences = turns.map(|(whole, without)| water_ms(whole) - water_ms(without));
