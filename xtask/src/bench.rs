@@ -32,7 +32,7 @@ const MOST_FRAME_MS: [(&str, f64); 6] = [
     ("meshuggah", 120.0),
     ("rippling-lake", 200.0),
     ("projected-grid", 200.0),
-    ("spectral-ocean", 150.0),
+    ("spectral-ocean", 220.0),
 ];
 /// The pass that makes a sea of noise on the processor, and the most that it may cost, ms.
 const MOST_NOISE_MS: (&str, f64) = ("noise", 2.0);

@@ -27,7 +27,7 @@ mod water;
 
 pub use gpu::{AdapterDescription, Gpu, RenderError, list_adapters};
 pub use target::{Stores, TargetFormat};
-pub use timing::PassTime;
+pub use timing::{FeatureTime, PassTime};
 pub use uniforms::MAX_VIEWS;
 pub use view::View;
 pub use water::{Water, WaterOptions};

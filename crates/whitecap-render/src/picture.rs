@@ -11,9 +11,10 @@ pub use supersampled::{LightPicture, LightUnit, render_light, render_supersample
 use crate::environment::Environment;
 use crate::gpu::{checked, read_texture};
 use crate::surface::Backend;
+use crate::technique::spectral_ocean::Feature;
 use crate::timing::PassTimer;
-use crate::{Gpu, PassTime, RenderError, TargetFormat, View, Water, WaterOptions};
-use whitecap_scene::Scene;
+use crate::{FeatureTime, Gpu, PassTime, RenderError, TargetFormat, View, Water, WaterOptions};
+use whitecap_scene::{Scene, Technique};
 
 /// What to render.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,16 +74,20 @@ impl Stage {
     }
 }
 
-/// Stills are shaded four times a pixel: glints are finer than pixels, and nobody waits for a frame.
+/// Samples of a pixel in a still that nobody asked more or fewer for: glints are finer than pixels, and nobody waits for a frame.
+pub const SAMPLES_OF_STILL: u32 = 4;
+
+/// Display values cannot be averaged as light can: their stills are shaded for each of the adapter's own samples.
 const STILL: TargetFormat = TargetFormat {
     color: wgpu::TextureFormat::Rgba8Unorm,
     depth: wgpu::TextureFormat::Depth32Float,
     depth_compare: wgpu::CompareFunction::Greater,
-    sample_count: 4,
+    sample_count: SAMPLES_OF_STILL,
     sample_shading: true,
 };
 
-/// Renders `scene` as its camera sees it. `progress` hears of each stage as it begins.
+/// Renders `scene` as its camera sees it, [`SAMPLES_OF_STILL`] times a pixel: as [`render_supersampled`] where a technique works in
+/// light, with the adapter's own samples elsewhere. `progress` hears of each stage as it begins.
 ///
 /// # Errors
 ///
@@ -111,6 +116,14 @@ fn draw(
     request: &PictureRequest,
     progress: &mut dyn FnMut(Stage),
 ) -> Result<Picture, RenderError> {
+    if scene.technique.is_scene_linear() {
+        let mut begun = |stage, done| {
+            if stage != Stage::Draw || done == 0 {
+                progress(stage);
+            }
+        };
+        return render_supersampled(gpu, scene, request, SAMPLES_OF_STILL, &mut begun);
+    }
     let (device, queue) = (&gpu.device, &gpu.queue);
     let target = STILL;
     let SetUp { mut water, attachments, .. } =
@@ -188,16 +201,65 @@ pub fn time_passes(
     request: &PictureRequest,
     runs: usize,
 ) -> Result<Vec<PassTime>, RenderError> {
+    let frames = timed_frames(gpu, scene, request, runs, &[None])?;
+    Ok(frames.iter().flat_map(|frames| medians(frames)).collect())
+}
+
+/// As [`time_passes`], and by how much the water's pass is longer than without each [`Feature`]: the median difference of frames
+/// that are drawn in turns. Features share work, so they need not add up. None for techniques that have none.
+///
+/// # Errors
+///
+/// As [`render_picture`].
+pub fn time_features(
+    gpu: &Gpu,
+    scene: &Scene,
+    request: &PictureRequest,
+    runs: usize,
+) -> Result<(Vec<PassTime>, Vec<FeatureTime>), RenderError> {
+    if !matches!(scene.technique, Technique::SpectralOcean(_)) {
+        return Ok((time_passes(gpu, scene, request, runs)?, Vec::new()));
+    }
+    let variants: Vec<Option<Feature>> =
+        std::iter::once(None).chain(Feature::ALL.iter().copied().map(Some)).collect();
+    let frames = timed_frames(gpu, scene, request, runs, &variants)?;
+    let Some((whole, rest)) = frames.split_first() else { return Ok((Vec::new(), Vec::new())) };
+    let water_ms =
+        |passes: &[PassTime]| passes.iter().find(|pass| pass.name == WATER).map_or(f64::NAN, |pass| pass.ms);
+    let cost = |(feature, without): (&Feature, &Vec<Vec<PassTime>>)| {
+        let turns = whole.iter().zip(without);
+        let differences = turns.map(|(whole, without)| water_ms(whole) - water_ms(without));
+        FeatureTime { name: feature.label(), ms: median(differences.collect()) }
+    };
+    Ok((medians(whole), Feature::ALL.iter().zip(rest).map(cost).collect()))
+}
+
+/// The pass that draws the water.
+const WATER: &str = "water";
+
+/// For each variant, the passes of each frame. The variants take turns.
+fn timed_frames(
+    gpu: &Gpu,
+    scene: &Scene,
+    request: &PictureRequest,
+    runs: usize,
+    variants: &[Option<Feature>],
+) -> Result<Vec<Vec<Vec<PassTime>>>, RenderError> {
     let (device, queue) = (&gpu.device, &gpu.queue);
     check_size(device, request)?;
     let target = TargetFormat::default();
     let options = request.options();
-    let mut water = Water::with_options(device, queue, scene, &Environment::new(scene)?, target, &options)?;
+    let environment = Environment::new(scene)?;
+    let water = |without: &Option<Feature>| {
+        Water::without(device, queue, scene, &environment, target, &options, *without)
+    };
+    let mut waters = variants.iter().map(water).collect::<Result<Vec<_>, _>>()?;
     let attachments =
         checked(device, "a picture of this size", || Ok(Attachments::new(device, request, &target)))?;
     let view = View::of_camera(&scene.camera, [request.width, request.height]);
-    let mut frames: Vec<Vec<PassTime>> = Vec::new();
-    for run in 0..=runs {
+    let mut frames: Vec<Vec<Vec<PassTime>>> = vec![Vec::new(); variants.len()];
+    for (run, variant) in (0..=runs).flat_map(|run| (0..variants.len()).map(move |variant| (run, variant))) {
+        let water = &mut waters[variant];
         let passes = checked(device, "the frame", || {
             let mut encoder = device.create_command_encoder(&Default::default());
             let mut timer = PassTimer::start();
@@ -208,17 +270,17 @@ pub fn time_passes(
                 timer.end_of_pass(device, queue, &mut encoder, "objects");
             }
             water.draw_surface(&mut attachments.begin(&mut encoder, &target, !water.has_objects()), 0);
-            timer.end_of_pass(device, queue, &mut encoder, "water");
+            timer.end_of_pass(device, queue, &mut encoder, WATER);
             water.draw_sky(&mut attachments.begin(&mut encoder, &target, false), 0);
             timer.end_of_pass(device, queue, &mut encoder, "sky");
             Ok(timer.passes())
         })?;
         gpu.check()?;
         if run > 0 {
-            frames.push(passes);
+            frames[variant].push(passes);
         }
     }
-    Ok(medians(&frames))
+    Ok(frames)
 }
 
 /// The median time of each pass over all frames, which have the same passes.
@@ -226,12 +288,16 @@ fn medians(frames: &[Vec<PassTime>]) -> Vec<PassTime> {
     let passes = frames.first().map_or(&[][..], Vec::as_slice).iter().enumerate();
     passes
         .map(|(i, pass)| {
-            let mut ms: Vec<f64> =
-                frames.iter().filter_map(|frame| frame.get(i)).map(|pass| pass.ms).collect();
-            ms.sort_by(f64::total_cmp);
-            PassTime { name: pass.name, ms: ms[ms.len() / 2] }
+            let ms = frames.iter().filter_map(|frame| frame.get(i)).map(|pass| pass.ms);
+            PassTime { name: pass.name, ms: median(ms.collect()) }
         })
         .collect()
+}
+
+/// NaN of nothing.
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
 fn check_size(device: &wgpu::Device, request: &PictureRequest) -> Result<(), RenderError> {

@@ -13,7 +13,8 @@ pub struct TargetFormat {
     /// Samples per pixel, 1 or 4.
     pub sample_count: u32,
     /// Whether the water is shaded for each sample instead of each pixel. It smooths the sun's glints
-    /// as multisampling alone smooths edges, at four times the cost: for stills.
+    /// as multisampling alone smooths edges, at four times the cost: for stills. With a `sample_count` of 1 each frame
+    /// counts as one of four such samples, a quarter of a pixel apart or more, whose mean is the picture.
     pub sample_shading: bool,
 }
 

@@ -4,6 +4,7 @@ use crate::environment::Environment;
 use crate::gpu::checked;
 use crate::pass::{ObjectPass, Objects, SkyPass};
 use crate::surface::Backend;
+use crate::technique::spectral_ocean::Feature;
 use crate::technique::{self, Build, Frame, Technique};
 use crate::timing::PassTimer;
 use crate::uniforms::{Role, Shared};
@@ -92,6 +93,19 @@ impl Water {
         target: TargetFormat,
         options: &WaterOptions,
     ) -> Result<Water, RenderError> {
+        Water::without(device, queue, scene, environment, target, options, None)
+    }
+
+    /// As [`Water::with_options`], but for a part of the light that is left out to measure its cost.
+    pub(crate) fn without(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        scene: &Scene,
+        environment: &Environment,
+        target: TargetFormat,
+        options: &WaterOptions,
+        without: Option<Feature>,
+    ) -> Result<Water, RenderError> {
         checked(device, "the water", || {
             let shared = Shared::new(device, queue, environment, target);
             let objects = Objects::new(device, queue, scene)?;
@@ -106,6 +120,7 @@ impl Water {
                 objects: &objects,
                 backend: options.backend,
                 aux: options.aux,
+                without,
                 irradiance: environment.irradiance,
                 daylight: environment.daylight,
                 light: environment.light.as_ref(),

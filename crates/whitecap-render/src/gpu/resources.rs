@@ -159,6 +159,8 @@ pub(crate) fn bind_group<'r>(
 pub(crate) struct PipelineRequest<'a> {
     pub(crate) label: &'a str,
     pub(crate) shader: &'a Shader,
+    /// Values of the shader's `override` declarations; those that are left out have their defaults.
+    pub(crate) constants: &'a [(&'a str, f64)],
     /// Layouts of groups 0, 1, 2 ….
     pub(crate) groups: &'a [Option<&'a wgpu::BindGroupLayout>],
     pub(crate) vertices: &'a [Option<wgpu::VertexBufferLayout<'a>>],
@@ -170,6 +172,8 @@ pub(crate) struct PipelineRequest<'a> {
 impl PipelineRequest<'_> {
     pub(crate) fn create(&self, device: &wgpu::Device) -> wgpu::RenderPipeline {
         let module = self.shader.module(device);
+        let compilation_options =
+            wgpu::PipelineCompilationOptions { constants: self.constants, ..Default::default() };
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(self.label),
             bind_group_layouts: self.groups,
@@ -181,7 +185,7 @@ impl PipelineRequest<'_> {
             vertex: wgpu::VertexState {
                 module: &module,
                 entry_point: Some("vs_main"),
-                compilation_options: Default::default(),
+                compilation_options: compilation_options.clone(),
                 buffers: self.vertices,
             },
             primitive: wgpu::PrimitiveState::default(),
@@ -190,7 +194,7 @@ impl PipelineRequest<'_> {
             fragment: Some(wgpu::FragmentState {
                 module: &module,
                 entry_point: Some("fs_main"),
-                compilation_options: Default::default(),
+                compilation_options,
                 targets: &[Some(self.color.into())],
             }),
             multiview_mask: None,

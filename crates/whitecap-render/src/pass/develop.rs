@@ -30,6 +30,7 @@ pub(crate) fn develop(
     let request = PipelineRequest {
         label: "develop",
         shader: if linear { &shader_lib::LINEAR_DEVELOP } else { &shader_lib::DEVELOP },
+        constants: &[],
         groups: &[Some(&shared.view_layout), Some(&shared.environment_layout), Some(&layout)],
         vertices: &[],
         color: target.color,

@@ -44,6 +44,7 @@ impl MeanPass {
         let request = PipelineRequest {
             label: "mean",
             shader: &shader_lib::MEAN,
+            constants: &[],
             groups: &[Some(&layout)],
             vertices: &[],
             color: sample.format(),

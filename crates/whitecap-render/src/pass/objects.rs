@@ -145,6 +145,7 @@ impl ObjectPass {
         let request = PipelineRequest {
             label: "objects",
             shader,
+            constants: &[],
             groups: &[Some(&shared.view_layout), Some(&shared.environment_layout), Some(&objects.layout)],
             vertices: &[Some(wgpu::VertexBufferLayout {
                 array_stride: size_of::<GpuVertex>() as u64,

@@ -16,6 +16,7 @@ impl SkyPass {
         let request = PipelineRequest {
             label: "sky",
             shader: if shared.skies.is_some() { &shader_lib::LINEAR_SKY } else { &shader_lib::SKY },
+            constants: &[],
             groups: &[Some(&shared.view_layout), Some(&shared.environment_layout)],
             vertices: &[],
             color: target.color,

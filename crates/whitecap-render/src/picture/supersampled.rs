@@ -1,9 +1,8 @@
 //! Stills of many samples a pixel, in linear light.
 //!
 //! The whole view is drawn once for each sample, shifted by less than two pixels, and the mean is taken of light, not of
-//! what a display shows of it (Haeberli and Akeley 1990, "The Accumulation Buffer"). Each drawing has the picture's own
-//! pixels: what waves and maps are filtered to is a pixel, however many samples there are, so brightness and softness
-//! do not depend on their number.
+//! what a display shows of it (Haeberli and Akeley 1990, "The Accumulation Buffer"). What waves and maps are filtered
+//! to is half a pixel, however many samples there are, so brightness and softness do not depend on their number.
 
 use super::filter::{MAX_SAMPLES, sample_offsets_px};
 use super::{Attachments, Picture, PictureRequest, SetUp, Stage, read_picture, set_up, submit, unless_lost};
@@ -130,8 +129,10 @@ impl Still {
                 accepted: format!("1 to {MAX_SAMPLES}"),
             });
         }
+        // One drawing is what a window shows; of several each stands for a part of the pixel.
+        let target = TargetFormat { sample_shading: samples > 1, ..LIGHT };
         let SetUp { mut water, attachments, exposure } =
-            set_up(gpu, scene, request, &LIGHT, &request.options(), &mut |stage| progress(stage, 0))?;
+            set_up(gpu, scene, request, &target, &request.options(), &mut |stage| progress(stage, 0))?;
         let mut mean = checked(&gpu.device, "a picture of this size", || {
             Ok(MeanPass::new(&gpu.device, &gpu.queue, &attachments.resolved))
         })?;

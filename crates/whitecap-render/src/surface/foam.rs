@@ -15,7 +15,7 @@ const STRUCTURE_SEED: u64 = 7;
 
 /// Sides of the large structure and the small one in metres: walls of metres, bubbles of centimetres. Their ratio is
 /// far from small whole numbers.
-const STRUCTURE_SIDES_M: [f64; 2] = [23.0, 4.19];
+const STRUCTURE_SIDES_M: [f64; 2] = [11.0, 2.31];
 
 /// Layout twin of `GpuFoamTile` in `foam.wesl`.
 #[repr(C)]
@@ -119,6 +119,11 @@ impl FoamMaps {
     /// Ranks and contrast of the structure, `Rg8Unorm` with mips.
     pub fn structure(&self) -> wgpu::TextureView {
         self.structure.create_view(&Default::default())
+    }
+
+    /// Tiles with breaking waves.
+    pub fn tile_count(&self) -> usize {
+        self.foam.as_ref().map_or(0, |foam| foam.tiles().len())
     }
 
     /// What shaders need for an eye over this place, metres.

@@ -95,6 +95,8 @@ pub struct Build<'a> {
     pub backend: Option<Backend>,
     /// Whether [`Technique::draw_aux`] will be called.
     pub aux: bool,
+    /// What the spectral ocean leaves out.
+    pub(crate) without: Option<spectral_ocean::Feature>,
     /// Irradiance on the sea, linear, per channel.
     pub irradiance: glam::Vec3,
     /// Display brightness of the sky against a day's, see [`crate::environment::Environment::daylight`].
@@ -124,6 +126,7 @@ impl<'a> Build<'a> {
             objects,
             backend: None,
             aux: false,
+            without: None,
             irradiance,
             daylight: 1.0,
             light: None,

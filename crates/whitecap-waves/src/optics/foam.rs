@@ -16,14 +16,17 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI};
 /// decay twice.
 pub const FOAM_ALBEDO: f64 = 0.55;
 
+/// The most of a place that foam covers: even fresh foam has holes.
+const DENSEST_COVER: f64 = 0.72;
+
 /// Width of the edge between foam and water, in ranks.
 const EDGE: f64 = 0.12;
 
-/// The share of a pixel that foam covers: the mean of min(1, eᵃ) over normal a with this mean and variance. With
+/// The share of a pixel that foam covers: 0.72 of the mean of min(1, eᵃ) over normal a with this mean and variance. With
 /// z = a/σ + σ it is Φ(a/σ) + e^{a + σ²/2} Φ(−z), of which the second term is ½ e^{−a²/2σ²} erfcx(z/√2).
 pub fn foam_cover(excess: f64, variance: f64) -> f64 {
     if variance < 1e-6 {
-        return libm::exp(excess.min(0.0));
+        return DENSEST_COVER * libm::exp(excess.min(0.0));
     }
     let deviation = variance.sqrt();
     let ratio = excess / deviation;
@@ -36,7 +39,7 @@ pub fn foam_cover(excess: f64, variance: f64) -> f64 {
     } else {
         0.5 * libm::exp(excess + 0.5 * variance) * libm::erfc(x)
     };
-    (covered + partly).clamp(0.0, 1.0)
+    DENSEST_COVER * (covered + partly).clamp(0.0, 1.0)
 }
 
 /// The rank, uniform on 0..=1, of the weighted sum of two independent uniform ranks, the second of which counts half:
@@ -92,11 +95,11 @@ mod tests {
                 let z = -10.0 + 20.0 * (f64::from(i) + 0.5) / f64::from(steps);
                 sum += (excess + deviation * z).min(0.0).exp() * (-0.5 * z * z).exp();
             }
-            let mean = sum * 20.0 / f64::from(steps) / (2.0 * PI).sqrt();
+            let mean = DENSEST_COVER * sum * 20.0 / f64::from(steps) / (2.0 * PI).sqrt();
             let found = foam_cover(excess, variance);
             assert!((found - mean).abs() < 1e-5 * mean + 1e-9, "{excess} {variance}: {found} {mean}");
         }
-        assert_eq!(foam_cover(3.0, 0.0), 1.0);
+        assert_eq!(foam_cover(3.0, 0.0), DENSEST_COVER);
     }
 
     #[test]

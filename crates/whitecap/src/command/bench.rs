@@ -7,9 +7,9 @@ use crate::stdout;
 use clap::ValueHint;
 use std::fmt::Write;
 use std::process::ExitCode;
-use whitecap_render::picture::{PictureRequest, time_passes};
+use whitecap_render::picture::{PictureRequest, time_features, time_passes};
 use whitecap_render::surface::Backend;
-use whitecap_render::{AdapterDescription, Gpu, PassTime, RenderError};
+use whitecap_render::{AdapterDescription, FeatureTime, Gpu, PassTime, RenderError};
 use whitecap_scene::{Scene, named, technique};
 
 const EXAMPLES: &str = "\
@@ -17,9 +17,12 @@ Examples:
   whitecap bench                           each technique's own scene
   whitecap bench meshuggah storm.toml      these
   whitecap bench --size 640x360 --json     smaller frames, for programs
+  whitecap bench spectral-ocean --features  and what foam, glitter and air cost
 
 Frames are drawn as a window shows them, one sample a pixel, a thirtieth of a second apart. Each pass is waited \
-for by itself; its time is the median over the frames. The first frame, which warms up, does not count.";
+for by itself; its time is the median over the frames. The first frame, which warms up, does not count. \
+Features are left out one at a time, in frames that take turns; what the water's pass is shorter by is theirs. \
+They share work, so they need not add up.";
 
 /// Time the passes of a frame
 #[derive(Debug, clap::Args)]
@@ -46,7 +49,11 @@ pub(crate) struct Bench {
     #[arg(long, value_name = "WHO", default_value = "auto", value_parser = backend_parser())]
     backend: WantedBackend,
 
-    /// Print a JSON list with scene, technique, width, height, runs, adapter, passes and sum_ms
+    /// Also what parts of the light cost, where a technique can leave them out: spectral-ocean
+    #[arg(long)]
+    features: bool,
+
+    /// Print a JSON list with scene, technique, width, height, runs, adapter, passes, sum_ms and features
     #[arg(long)]
     pub(crate) json: bool,
 }
@@ -63,7 +70,13 @@ impl Bench {
         for (place, (name, scene)) in scenes.iter().enumerate() {
             let about = format!("{name} ({} of {})", place + 1, scenes.len());
             stages.begin_about("frames", &about);
-            let (passes, sum_ms) = timed(&gpu, scene, self.size, self.backend.0, self.runs.into())?;
+            let runs = self.runs.into();
+            let (passes, sum_ms, features) = if self.features {
+                timed_by_feature(&gpu, scene, self.size, self.backend.0, runs)?
+            } else {
+                let (passes, sum_ms) = timed(&gpu, scene, self.size, self.backend.0, runs)?;
+                (passes, sum_ms, Vec::new())
+            };
             frames.push(FrameTime {
                 scene: name,
                 technique: scene.technique.word(),
@@ -73,6 +86,7 @@ impl Bench {
                 adapter: &gpu.adapter,
                 passes,
                 sum_ms,
+                features,
             });
         }
         stages.finish();
@@ -96,16 +110,22 @@ impl Bench {
     fn for_people(&self, frames: &[FrameTime<'_>], adapter: &AdapterDescription) -> String {
         let mut text = String::new();
         let Size { width, height } = self.size;
-        let names = frames.iter().flat_map(|frame| frame.passes.iter().map(|pass| pass.name.len()));
+        let names = frames.iter().flat_map(|frame| {
+            let features = frame.features.iter().map(|feature| "of which ".len() + feature.name.len());
+            frame.passes.iter().map(|pass| pass.name.len()).chain(features)
+        });
         let column = names.max().unwrap_or(0).max("sum".len());
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{width} × {height} pixels, median of {}, on {adapter}", self.runs);
-        for FrameTime { scene, passes, sum_ms, .. } in frames {
+        for FrameTime { scene, passes, sum_ms, features, .. } in frames {
             let _ = writeln!(text, "{scene}");
             for PassTime { name, ms } in passes {
                 let _ = writeln!(text, "  {name:column$} {ms:9.3} ms");
             }
             let _ = writeln!(text, "  {:column$} {sum_ms:9.3} ms", "sum");
+            for FeatureTime { name, ms } in features {
+                let _ = writeln!(text, "  {:column$} {ms:9.3} ms", format!("of which {name}"));
+            }
         }
         text
     }
@@ -122,6 +142,8 @@ struct FrameTime<'a> {
     adapter: &'a AdapterDescription,
     passes: Vec<PassTime>,
     sum_ms: f64,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    features: Vec<FeatureTime>,
 }
 
 /// The median time of each pass of `scene` and their sum, to the microsecond.
@@ -133,9 +155,31 @@ pub(super) fn timed(
     runs: usize,
 ) -> Result<(Vec<PassTime>, f64), RenderError> {
     let request = PictureRequest { backend, width: size.width, height: size.height, time_s: 0.0 };
-    let mut passes = time_passes(gpu, scene, &request, runs)?;
-    let to_microseconds = |ms: f64| (ms * 1e3).round() / 1e3;
+    Ok(summed(time_passes(gpu, scene, &request, runs)?))
+}
+
+/// As [`timed`], and what each feature adds to the water's pass.
+fn timed_by_feature(
+    gpu: &Gpu,
+    scene: &Scene,
+    size: Size,
+    backend: Option<Backend>,
+    runs: usize,
+) -> Result<(Vec<PassTime>, f64, Vec<FeatureTime>), RenderError> {
+    let request = PictureRequest { backend, width: size.width, height: size.height, time_s: 0.0 };
+    let (passes, mut features) = time_features(gpu, scene, &request, runs)?;
+    features.iter_mut().for_each(|feature| feature.ms = to_microseconds(feature.ms));
+    let (passes, sum_ms) = summed(passes);
+    Ok((passes, sum_ms, features))
+}
+
+/// To the microsecond, and their sum.
+fn summed(mut passes: Vec<PassTime>) -> (Vec<PassTime>, f64) {
     passes.iter_mut().for_each(|pass| pass.ms = to_microseconds(pass.ms));
     let sum_ms = to_microseconds(passes.iter().map(|pass| pass.ms).sum());
-    Ok((passes, sum_ms))
+    (passes, sum_ms)
+}
+
+fn to_microseconds(ms: f64) -> f64 {
+    (ms * 1e3).round() / 1e3
 }

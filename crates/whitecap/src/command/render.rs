@@ -14,7 +14,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 use whitecap_render::picture::{
-    MAX_SAMPLES, PictureRequest, Stage, render_aux, render_light, render_picture, render_supersampled,
+    MAX_SAMPLES, PictureRequest, SAMPLES_OF_STILL, Stage, render_aux, render_light, render_picture,
+    render_supersampled,
 };
 use whitecap_render::{AdapterDescription, Gpu};
 use whitecap_scene::{Scene, named};
@@ -31,9 +32,6 @@ Examples:
 
 Same scene, same seed, same time, same adapter: same picture. The file is written whole or not at all, and \
 an existing one is replaced. `whitecap scenes` lists the named scenes, `whitecap adapters` the adapters.";
-
-/// Samples of a pixel of light without `--samples`: as many as the adapter's own smoothing has.
-const SAMPLES_OF_LIGHT: u32 = 4;
 
 /// Render one picture of a scene, as PNG or as linear light in OpenEXR
 #[derive(Debug, clap::Args)]
@@ -63,8 +61,8 @@ pub(crate) struct Render {
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u64).range(..=MAX_SEED))]
     seed: Option<u64>,
 
-    /// Whole drawings whose light is averaged, from 1 to 1024, each a sample a pixel: for smooth stills [default: the
-    /// adapter's own smoothing, 4 samples of edges and glints; 4 for .exr]
+    /// Whole drawings whose light is averaged, from 1 to 1024, each a sample a pixel: for smooth stills [default: 4, or for
+    /// the PNG of a classic technique the adapter's own smoothing]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES)))]
     samples: Option<u32>,
 
@@ -144,7 +142,7 @@ impl Render {
         is_exr: bool,
         stages: &mut Stages,
     ) -> Result<(Vec<u8>, Option<u32>), Failure> {
-        let samples = self.samples.or(is_exr.then_some(SAMPLES_OF_LIGHT));
+        let samples = self.samples.or(is_exr.then_some(SAMPLES_OF_STILL));
         let Some(count) = samples else {
             let picture = render_picture(gpu, scene, request, &mut |stage| stages.begin(stage.label()))?;
             stages.begin("png");

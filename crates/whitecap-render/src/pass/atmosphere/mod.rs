@@ -103,6 +103,8 @@ pub(crate) struct Skies {
     sea_level_sky: wgpu::TextureView,
     transmittance: wgpu::TextureView,
     views: Vec<ViewSky>,
+    /// Whose sky each view of the last frame has: its own, or that of an earlier view whose eye is as high.
+    shared: Vec<usize>,
 }
 
 struct Passes {
@@ -170,9 +172,18 @@ impl Skies {
         let picture = GpuPicture::of(light);
         let picture =
             buffer(device, queue, "picture", bytemuck::bytes_of(&picture), wgpu::BufferUsages::UNIFORM);
-        let (layout, views) = (layout.clone(), Vec::new());
-        let mut skies =
-            Skies { around, picture, layout, air, has_clouds, passes, sea_level_sky, transmittance, views };
+        let mut skies = Skies {
+            around,
+            picture,
+            layout: layout.clone(),
+            air,
+            has_clouds,
+            passes,
+            sea_level_sky,
+            transmittance,
+            views: Vec::new(),
+            shared: Vec::new(),
+        };
         skies.make_views(device, 1);
         skies
     }
@@ -184,7 +195,7 @@ impl Skies {
 
     /// Group 1 of a view.
     pub(crate) fn group(&self, view: usize) -> Option<&wgpu::BindGroup> {
-        self.views.get(view).map(|sky| &sky.group)
+        self.shared.get(view).and_then(|&owner| self.views.get(owner)).map(|sky| &sky.group)
     }
 
     /// Makes the tables of views whose eye has changed its height.
@@ -196,9 +207,18 @@ impl Skies {
         views: &[View],
     ) {
         self.make_views(device, views.len());
-        for (sky, view) in self.views.iter_mut().zip(views) {
-            // What single precision does not tell apart is the same eye.
-            let eye_m = f64::from(view.eye_m.y.clamp(LOWEST_EYE_M, HIGHEST_EYE_M) as f32);
+        // What single precision does not tell apart is the same eye.
+        let eyes_m: Vec<f64> = views
+            .iter()
+            .map(|view| f64::from(view.eye_m.y.clamp(LOWEST_EYE_M, HIGHEST_EYE_M) as f32))
+            .collect();
+        self.shared = (0..eyes_m.len())
+            .map(|i| eyes_m.iter().position(|eye_m| *eye_m == eyes_m[i]).unwrap_or(i))
+            .collect();
+        for (i, (sky, &eye_m)) in self.views.iter_mut().zip(&eyes_m).enumerate() {
+            if self.shared[i] != i {
+                continue;
+            }
             if sky.eye_m.replace(eye_m) == Some(eye_m) {
                 continue;
             }

@@ -80,6 +80,7 @@ impl Pipeline {
             let groups = [Some(&shared.view_layout), Some(&shared.environment_layout), Some(&layout), later];
             PipelineRequest {
                 label: shader.name,
+                constants: &[],
                 shader,
                 groups: if groups[3].is_some() { &groups } else { &groups[..3] },
                 vertices,

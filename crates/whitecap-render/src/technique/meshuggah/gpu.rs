@@ -179,6 +179,7 @@ fn pipeline(build: &Build<'_>, group: &wgpu::BindGroupLayout) -> wgpu::RenderPip
     let request = PipelineRequest {
         label: "meshuggah",
         shader: &shader,
+        constants: &[],
         groups: &[Some(&shared.view_layout), Some(&shared.environment_layout), Some(group)],
         vertices: &[Some(wgpu::VertexBufferLayout {
             array_stride: 8,

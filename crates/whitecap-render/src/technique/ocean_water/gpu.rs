@@ -142,6 +142,7 @@ fn pipeline(build: &Build<'_>, group: &wgpu::BindGroupLayout) -> wgpu::RenderPip
     let request = PipelineRequest {
         label: "ocean-water",
         shader: &shader,
+        constants: &[],
         groups: &[Some(&shared.view_layout), None, Some(group)],
         vertices: &[
             Some(vertex(8, &wgpu::vertex_attr_array![0 => Float32x2])),

@@ -27,6 +27,7 @@ pub(super) fn sky_map(build: &Build<'_>) -> wgpu::TextureView {
     let request = PipelineRequest {
         label: "8-bit sky",
         shader: &shader_lib::OCEAN_WATER_SKY,
+        constants: &[],
         groups: &[None, Some(&shared.environment_layout)],
         vertices: &[],
         color: FORMAT,

@@ -77,6 +77,7 @@ impl Pipeline {
         let request = PipelineRequest {
             label: "projected grid",
             shader: &shader_lib::PROJECTED_GRID,
+            constants: &[],
             groups: &[Some(&shared.view_layout), Some(&shared.environment_layout), Some(&layout)],
             vertices: &[Some(vertex_layout())],
             color: shared.target.color,

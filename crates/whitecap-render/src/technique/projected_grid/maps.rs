@@ -209,6 +209,7 @@ fn pipeline(
     let vertices = [Some(vertex_layout())];
     let request = PipelineRequest {
         label: shader.name,
+        constants: &[],
         shader,
         groups: &[Some(group)],
         vertices: if on_the_grid { &vertices } else { &[] },

@@ -145,6 +145,7 @@ fn pipeline(build: &Build<'_>, group: &wgpu::BindGroupLayout) -> wgpu::RenderPip
     let request = PipelineRequest {
         label: "rippling lake",
         shader: &shader_lib::RIPPLING_LAKE,
+        constants: &[],
         groups: &[Some(&shared.view_layout), Some(&shared.environment_layout), Some(group)],
         vertices: &[Some(wgpu::VertexBufferLayout {
             array_stride: 8,

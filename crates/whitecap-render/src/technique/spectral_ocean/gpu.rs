@@ -1,6 +1,7 @@
 //! The spectral ocean's pipeline, buffers and layouts.
 
 use super::super::Build;
+use crate::environment::Air;
 use crate::geometry::NestedGrid;
 use crate::gpu::resources::{PipelineRequest, bind_group, buffer, linear_sampler};
 use crate::shader_lib::{self, GpuWaterLight, Shader};
@@ -77,9 +78,10 @@ impl Pipeline {
         let layout = group_layout(device);
         let contents = |label, bytes, usage| buffer(device, queue, label, bytes, usage);
         let waters = contents("waters", bytemuck::bytes_of(waters), wgpu::BufferUsages::UNIFORM);
+        let constants = constants(build, tiles.len(), foam.tile_count());
         Pipeline {
-            pipeline: pipeline(build, &layout, &shader_of(build)),
-            aux: build.aux.then(|| pipeline(build, &layout, &shader_lib::SPECTRAL_OCEAN_AUX)),
+            pipeline: pipeline(build, &layout, &shader_of(build), &constants),
+            aux: build.aux.then(|| pipeline(build, &layout, &shader_lib::SPECTRAL_OCEAN_AUX, &constants)),
             group: ocean_group(device, &layout, tiles, foam, &waters, slots),
             vertices: contents(
                 "nested grid",
@@ -174,17 +176,38 @@ pub(super) fn ocean_group(
     bind_group(device, "spectral ocean", layout, resources)
 }
 
+/// A still is made of samples that stand for less than a pixel.
 fn shader_of(build: &Build<'_>) -> Shader {
-    let target = build.shared.target;
-    let per_sample = target.sample_shading && target.sample_count > 1;
-    if per_sample { shader_lib::SPECTRAL_OCEAN_PER_SAMPLE } else { shader_lib::SPECTRAL_OCEAN }
+    let is_still = build.shared.target.sample_shading;
+    if is_still { shader_lib::SPECTRAL_OCEAN_PER_SAMPLE } else { shader_lib::SPECTRAL_OCEAN }
 }
 
-fn pipeline(build: &Build<'_>, group: &wgpu::BindGroupLayout, shader: &Shader) -> wgpu::RenderPipeline {
+/// What the shader is told when it is made.
+fn constants(build: &Build<'_>, cascades: usize, foam_tiles: usize) -> Vec<(&'static str, f64)> {
+    let under_panorama = build.light.is_some_and(|light| matches!(light.air, Air::Photographed { .. }));
+    let mut constants = vec![
+        ("CASCADES", cascades as f64),
+        ("FOAM_TILES", foam_tiles as f64),
+        ("UNDER_PANORAMA", f64::from(u8::from(under_panorama))),
+    ];
+    if let Some(feature) = build.without {
+        constants.retain(|(name, _)| *name != feature.constant());
+        constants.push((feature.constant(), 0.0));
+    }
+    constants
+}
+
+fn pipeline(
+    build: &Build<'_>,
+    group: &wgpu::BindGroupLayout,
+    shader: &Shader,
+    constants: &[(&str, f64)],
+) -> wgpu::RenderPipeline {
     let (device, shared) = (build.device, build.shared);
     let request = PipelineRequest {
         label: "spectral ocean",
         shader,
+        constants,
         groups: &[Some(&shared.view_layout), Some(&shared.environment_layout), Some(group)],
         vertices: &[Some(wgpu::VertexBufferLayout {
             array_stride: 12,

@@ -7,6 +7,7 @@
 //!
 //! docs/spectral-ocean.md tells the passes and the limits.
 
+mod features;
 mod gpu;
 mod roughness;
 mod visible;
@@ -19,6 +20,7 @@ use crate::shader_lib::GpuWaterLight;
 use crate::surface::{FoamMaps, TileMaps, Vertices};
 use crate::uniforms::ViewSlots;
 use crate::view::View;
+pub use features::Feature;
 use glam::{DVec2, DVec3, Vec3};
 use gpu::{GpuCascade, GpuSpectralOcean, GpuWaters, MAX_CASCADES, MAX_LEVELS, Pipeline};
 use roughness::Roughness;
@@ -92,8 +94,7 @@ impl SpectralOcean {
         };
         let tiles = sea.into_tiles().into_iter().map(maps_of).collect::<Result<Vec<_>, _>>()?;
 
-        // Where a processor draws, triangles are dear.
-        let (cells, levels) = if build.is_software() { (128, 10) } else { (256, 10) };
+        let (cells, levels) = mesh_size(build.is_software(), build.shared.target.sample_shading);
         let last_cell_m = FINEST_CELL_M * f64::from(levels - 1).exp2();
         let grid = NestedGrid::new(cells, levels, (REACH_M / last_cell_m) as f32);
         let slots = ViewSlots::new(build.device, "spectral ocean");
@@ -163,6 +164,16 @@ impl SpectralOcean {
             cascade_count: self.tiles.len() as u32,
             foam: self.foam.uniforms(eye),
         }
+    }
+}
+
+/// Cells a side and levels of the mesh, which reach 2 km from an eye at the water. A processor that draws shades whole blocks of
+/// pixels for every triangle that touches them: there frames have a coarser mesh than stills.
+fn mesh_size(is_software: bool, is_still: bool) -> (u32, u32) {
+    match (is_software, is_still) {
+        (true, false) => (64, 11),
+        (true, true) => (128, 10),
+        (false, _) => (256, 10),
     }
 }
 

@@ -42,7 +42,9 @@ fn with_technique(scene: &Scene, test: impl FnOnce(&wgpu::Device, &wgpu::Queue, 
     let Some(gpu) = gpu() else { return };
     let (device, queue) = (&gpu.device, &gpu.queue);
     let environment = Environment::new(scene).unwrap();
-    let shared = Shared::new(device, queue, &environment, TargetFormat::default());
+    // A still's mesh, which also carries the finest tile about an eye 1 m over the water where a processor draws.
+    let target = TargetFormat { sample_shading: true, ..TargetFormat::default() };
+    let shared = Shared::new(device, queue, &environment, target);
     let objects = Objects::new(device, queue, scene).unwrap();
     let whitecap_scene::Technique::SpectralOcean(settings) = &scene.technique else { panic!() };
     let build = Build {
