@@ -86,7 +86,7 @@ fn numbers_of_samples_beyond_the_accepted_are_refused() {
     }
 }
 
-/// Footprints are pixels, not samples: what is filtered away comes back as roughness, whatever the number.
+/// What is filtered away comes back as roughness, whatever the number.
 #[test]
 fn brightness_does_not_depend_on_the_number_of_samples() {
     let Some(gpu) = gpu() else { return };
@@ -104,8 +104,10 @@ fn brightness_does_not_depend_on_the_number_of_samples() {
             below.iter().map(|&rgb| luminance(rgb)).sum::<f64>() / below.len() as f64
         };
         let means = [1, 4, 16].map(mean);
+        // Display values clip glints: how many a picture of one sample has is more a matter of chance.
+        let bound = if scene.technique.is_scene_linear() { 0.01 } else { 0.02 };
         for found in &means[..2] {
-            assert!((found / means[2] - 1.0).abs() < 0.01, "{}: {means:?}", scene.technique.word());
+            assert!((found / means[2] - 1.0).abs() < bound, "{}: {means:?}", scene.technique.word());
         }
     }
 }

@@ -48,9 +48,8 @@ const BOTTOMLESS_M: f64 = 1e4;
 /// The shortest wave of a tile, in its samples.
 const SAMPLES_PER_WAVE: f64 = 4.0;
 
-/// What water is moved sideways by, in significant heights: along as much as up, so that no more than one wave in 10⁷ goes
-/// further.
-const SWAY: f64 = 1.5;
+/// What water is moved sideways by, in significant heights: along as much as up, eight standard deviations.
+const SWAY: f64 = 2.0;
 
 /// Of the last level's half width: there the last waves have left the mesh.
 const FADE_LIMIT: f64 = 0.9;
