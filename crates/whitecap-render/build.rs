@@ -44,7 +44,7 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::surface::compute::twins", "spectral_twins", &[]),
     ("package::technique::spectral_ocean::spectral_ocean", "spectral_ocean", &[]),
     ("package::technique::spectral_ocean::spectral_ocean", "spectral_ocean_per_sample", &["per_sample"]),
-    ("package::technique::spectral_ocean::spectral_ocean", "spectral_ocean_aux", &["aux"]),
+    ("package::technique::spectral_ocean::spectral_ocean", "spectral_ocean_aux", &["aux", "per_sample"]),
     ("package::technique::spectral_ocean::vertices", "spectral_ocean_vertices", &[]),
     ("package::shader_lib::twins", "twins", &[]),
     ("package::shader_lib::tone_map_twins", "tone_map_twins", &[]),

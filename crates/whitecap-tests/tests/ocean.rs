@@ -20,7 +20,7 @@ const TARGET: TargetFormat = TargetFormat {
     depth: wgpu::TextureFormat::Depth32Float,
     depth_compare: wgpu::CompareFunction::Greater,
     sample_count: 1,
-    sample_shading: false,
+    sample_shading: true,
 };
 
 /// No light is negative.
@@ -95,7 +95,7 @@ fn place(i: usize) -> DVec2 {
     3000.0 * DVec2::new((0.754_877_666 * i).fract(), (0.569_840_291 * i).fract())
 }
 
-/// From 4 m and up to 64 times as high, at the same angles, the sea is as bright, to 2 % beside the chance of what waves a
+/// From 4 m and up to 64 times as high, at the same angles, the sea is as bright, to 3 % beside the chance of what waves a
 /// picture has: what a pixel no longer resolves is roughness. Seen steeply and at grazing angles, under a sky that is four
 /// times as bright at the horizon. Foam, of which a near picture has much or none, needs choppiness.
 #[test]
@@ -144,7 +144,7 @@ fn brightness_does_not_depend_on_distance() {
             let drift = mean / nearest - 1.0;
             println!("{pitch_deg}°, {height_m} m: {:+.2} % ± {:.2} %", 100.0 * drift, 100.0 * error);
             let chance = 2.0 * error.hypot(nearest_error);
-            assert!(drift.abs() < 0.02 + chance, "{pitch_deg}° from {height_m} m: {drift} ± {chance}");
+            assert!(drift.abs() < 0.03 + chance, "{pitch_deg}° from {height_m} m: {drift} ± {chance}");
         }
     }
 }

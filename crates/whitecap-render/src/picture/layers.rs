@@ -6,6 +6,7 @@
 
 use super::supersampled::LIGHT;
 use super::{Attachments, PictureRequest, SetUp, Stage, set_up, submit, unless_lost};
+use crate::TargetFormat;
 use crate::gpu::{checked, read_texture};
 use crate::{Gpu, RenderError, View, Water, WaterOptions};
 use glam::{DMat4, DVec3, DVec4, Mat4};
@@ -83,7 +84,9 @@ fn draw(
 ) -> Result<AuxPicture, RenderError> {
     let aux = scene.technique.is_scene_linear();
     let options = WaterOptions { aux, ..request.options() };
-    let SetUp { mut water, attachments, .. } = set_up(gpu, scene, request, &LIGHT, &options, progress)?;
+    // On the mesh of a still.
+    let target = TargetFormat { sample_shading: true, ..LIGHT };
+    let SetUp { mut water, attachments, .. } = set_up(gpu, scene, request, &target, &options, progress)?;
     progress(Stage::Draw);
     let view = View::of_camera(&scene.camera, [request.width, request.height]);
     checked(&gpu.device, "the frame", || {
