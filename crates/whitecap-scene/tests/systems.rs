@@ -133,6 +133,7 @@ fn warnings_about_seas_that_are_not_found() {
         "spectrum = 'jonswap'; wind_speed_mps = 12; fetch_km = 300",
         "spectrum = 'jonswap'; wind_speed_mps = 12",
         "spectrum = 'jonswap'; wind_speed_mps = 8; fetch_km = 30",
+        "spectrum = 'jonswap'; wind_speed_mps = 8; fetch_km = 220",
         "spectrum = 'pierson-moskowitz'; sea_state = 7",
         "spectrum = 'elfouhaily'; wind_speed_mps = 20",
         "spectrum = 'phillips'; wind_speed_mps = 9",
@@ -153,6 +154,7 @@ fn warnings_about_seas_that_are_not_found() {
     one("spectrum = 'phillips'; significant_height_m = 10; peak_period_s = 6", &["steeper", "56.2 m"]);
     one("spectrum = 'jonswap'; sea_state = 4; gamma = 8", &["gamma = 8", "1 to 7"]);
     one("spectrum = 'jonswap'; wind_speed_mps = 8; fetch_km = 5000", &["fetch_km = 5000", "111 km"]);
+    one("spectrum = 'jonswap'; wind_speed_mps = 8; fetch_km = 225", &["fetch_km = 225", "111 km"]);
     let shallow = Dispersion::at_depth(3.0).unwrap();
     let found = warnings_over("spectrum = 'jonswap'; sea_state = 4; gamma = 1", &shallow);
     assert!(found.len() == 1 && found[0].contains("depth_m = 3") && found[0].contains("1.80 m"), "{found:?}");

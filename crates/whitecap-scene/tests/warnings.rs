@@ -1,0 +1,43 @@
+//! Where a sea bends what was asked for, or is none that is found: its warnings, and where they end.
+
+#![allow(clippy::unwrap_used, reason = "a helper of tests may fail as a test may")]
+
+use whitecap_scene::Scene;
+
+/// A scene of these keys of the sea and these systems, lines apart by "; ".
+fn read(sea: &str, systems: &[&str]) -> Result<Scene, String> {
+    let systems = systems.iter().map(|system| format!("[[sea.system]]; from_deg = 270.0; {system}; "));
+    let text = format!(
+        "technique = \"spectral-ocean\"; [sea]; {sea}; {}[camera]; position_m = [0, 4, 0]; look_at_m = [9, 0, 0]",
+        systems.collect::<String>()
+    );
+    Scene::from_toml(&text.replace("; ", "\n"), "sea").map_err(|error| error.to_string())
+}
+
+fn warnings(sea: &str, systems: &[&str]) -> Vec<String> {
+    read(sea, systems).unwrap().warnings
+}
+
+/// One warning, with all of these words.
+fn one(sea: &str, systems: &[&str], words: &[&str]) {
+    let found = warnings(sea, systems);
+    assert!(found.len() == 1 && words.iter().all(|word| found[0].contains(word)), "{sea}: {found:?}");
+}
+
+const SWELL: &str = "spectrum = 'jonswap'; significant_height_m = 2; peak_period_s = 8";
+
+/// Half a turn of the 8 s of the peak to a loop: 5 % of it at 80 s.
+#[test]
+fn loops_that_change_the_period_of_the_peak() {
+    assert_eq!(warnings("loop_s = 82.0", &[SWELL]), Vec::<String>::new());
+    one("loop_s = 79.0", &[SWELL], &["loop_s = 79", "sea.system[0] by up to 5 %", "81 s or more"]);
+    one("loop_s = 40.0", &[SWELL], &["by up to 10 %"]);
+}
+
+/// One tile of 64 samples: 4 % of the energy is in waves below two samples.
+#[test]
+fn tiles_that_do_not_hold_a_system() {
+    let one_tile = |size: f64| format!("cascades = 1; resolution = 64; tile_size_m = {size:.0}");
+    assert_eq!(warnings(&one_tile(400.0), &[SWELL]), Vec::<String>::new());
+    one(&one_tile(700.0), &[SWELL], &["its tiles carry 9", "are too short for the samples"]);
+}
