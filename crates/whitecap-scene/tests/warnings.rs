@@ -41,3 +41,26 @@ fn tiles_that_do_not_hold_a_system() {
     assert_eq!(warnings(&one_tile(400.0), &[SWELL]), Vec::<String>::new());
     one(&one_tile(700.0), &[SWELL], &["its tiles carry 9", "are too short for the samples"]);
 }
+
+/// Variances add: what each system may be, all together may not.
+#[test]
+fn systems_that_are_too_much_together() {
+    let high = "spectrum = 'jonswap'; significant_height_m = 40; peak_period_s = 40";
+    let refused = read("choppiness = 1.0", &[high; 8]).unwrap_err();
+    let words = ["sea.system: ", "113.1 m of significant height together", "accepted: up to 40 m"];
+    assert!(words.iter().all(|word| refused.contains(word)), "{refused}");
+
+    // 0.55 d each, 0.78 d both.
+    let shallow = "spectrum = 'jonswap'; significant_height_m = 5.5; peak_period_s = 14";
+    let found = warnings("depth_m = 10.0", &[shallow]);
+    assert_eq!(found, Vec::<String>::new());
+    one("depth_m = 10.0", &[shallow; 2], &["all together: higher than the water can carry: 7.78 m"]);
+
+    // 7.31 m on 112.8 m is as steep as a sea of 8.5 s may be.
+    let steep = "spectrum = 'jonswap'; significant_height_m = 5; peak_period_s = 8.5";
+    assert_eq!(warnings("choppiness = 1.0", &[steep; 2]), Vec::<String>::new());
+    one("choppiness = 1.0", &[steep; 3], &["all together: steeper than a sea can be: 8.66 m"]);
+    // Once is enough.
+    let steeper = "spectrum = 'jonswap'; significant_height_m = 9; peak_period_s = 8.5";
+    one("choppiness = 1.0", &[steeper, steep], &["sea.system[0]: steeper"]);
+}

@@ -7,7 +7,7 @@ use whitecap_waves::spectrum::{Profile, WaveSpectrum};
 use whitecap_waves::statistics::significant_height_m;
 
 use super::cascade::{CASCADES, Cascade};
-use super::system::{SYSTEMS, System};
+use super::system::{self, SYSTEMS, System};
 use super::{SeaModel, SeaSurface, fitting};
 use crate::error::SceneError;
 use crate::key::{Count, Flag, OneOf, PowerOfTwo, Real, optional, or, required, table, words};
@@ -148,12 +148,14 @@ impl SpectralSettings {
     ///
     /// # Errors
     ///
-    /// If the settings of a system contradict each other.
+    /// If the settings of a system contradict each other, or the systems together are higher than a sea can be.
     pub fn spectra(&self) -> Result<Vec<Box<dyn WaveSpectrum>>, SceneError> {
         let dispersion = self.water()?.dispersion;
         let spectrum =
             |(index, system): (usize, &System)| system.build(&format!("sea.system[{index}]"), &dispersion);
-        self.system.iter().enumerate().map(spectrum).collect()
+        let spectra = self.system.iter().enumerate().map(spectrum).collect::<Result<Vec<_>, _>>()?;
+        system::check_sum(&spectra)?;
+        Ok(spectra)
     }
 
     /// The tiles for a sea of these spectra, drawn by a technique with this tiling.
@@ -218,8 +220,16 @@ impl SpectralSettings {
                 fitting::remedy(self, sea, &Profile::of(&spectrum)),
             ))
         };
-        let unusual = self.system.iter().zip(&spectra).enumerate().flat_map(|(index, (system, spectrum))| {
-            let warnings = system.warnings(&sea.parameters().water.dispersion, spectrum);
+        let dispersion = &sea.parameters().water.dispersion;
+        let of_one: Vec<Vec<String>> = self
+            .system
+            .iter()
+            .zip(&spectra)
+            .map(|(system, spectrum)| system.warnings(dispersion, spectrum))
+            .collect();
+        let of_sum = system::warnings_of_sum(&spectra, dispersion, &of_one.concat());
+        let of_sum = of_sum.into_iter().map(|warning| format!("sea.system, all together: {warning}"));
+        let unusual = of_one.into_iter().enumerate().flat_map(|(index, warnings)| {
             warnings.into_iter().map(move |warning| format!("sea.system[{index}]: {warning}"))
         });
         let hurried = |(index, spectrum)| {
@@ -240,6 +250,6 @@ impl SpectralSettings {
             })
         };
         let hurried = spectra.iter().enumerate().filter_map(hurried);
-        Ok(unusual.chain(captured.enumerate().filter_map(lost)).chain(hurried).collect())
+        Ok(unusual.chain(of_sum).chain(captured.enumerate().filter_map(lost)).chain(hurried).collect())
     }
 }

@@ -28,6 +28,17 @@ impl Profile {
         Self { energy_m2: (0..STEPS).map(energy).collect() }
     }
 
+    /// The profile of several systems together.
+    pub fn of_sum<S: WaveSpectrum>(systems: &[S]) -> Self {
+        let mut energy_m2 = vec![0.0; STEPS];
+        for system in systems {
+            for (sum, energy) in energy_m2.iter_mut().zip(Self::of(system).energy_m2) {
+                *sum += energy;
+            }
+        }
+        Self { energy_m2 }
+    }
+
     /// The variance of the waves of `band`, in m².
     pub fn variance_m2(&self, band: Band) -> f64 {
         self.integrate(band, |_| 1.0)

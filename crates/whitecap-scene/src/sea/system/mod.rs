@@ -15,7 +15,8 @@ use std::path::PathBuf;
 
 use whitecap_waves::ParameterError;
 use whitecap_waves::dispersion::Dispersion;
-use whitecap_waves::spectrum::{Omnidirectional, WaveSpectrum};
+use whitecap_waves::spectrum::{Omnidirectional, Profile, WaveSpectrum};
+use whitecap_waves::statistics::significant_height_m;
 
 pub use elfouhaily::ElfouhailySystem;
 pub use jonswap::JonswapSystem;
@@ -25,7 +26,7 @@ pub use pierson_moskowitz::PiersonMoskowitzSystem;
 pub use spreading::{Spreading, SpreadingLaw};
 pub use tma::TmaSystem;
 
-use asked::Asked;
+use asked::{Asked, HEIGHT};
 use parametric::Parametric;
 
 use crate::error::SceneError;
@@ -181,6 +182,39 @@ impl System {
         }
         table.tagged(&TAG)
     }
+}
+
+/// Refuses systems that are together higher than one may be asked to be.
+pub(super) fn check_sum(spectra: &[Box<dyn WaveSpectrum>]) -> Result<(), SceneError> {
+    let height_m = height_of_sum_m(spectra);
+    if spectra.len() < 2 || height_m <= HEIGHT.max {
+        return Ok(());
+    }
+    let problem = format!(
+        "{height_m:.1} m of significant height together, as variances add; accepted: up to {} m",
+        HEIGHT.max
+    );
+    Err(SceneError::about_key("sea.system", problem))
+}
+
+/// What of several systems together is not found at sea, unless one of them alone was warned of the same: `of_one`.
+pub(super) fn warnings_of_sum(
+    spectra: &[Box<dyn WaveSpectrum>],
+    water: &Dispersion,
+    of_one: &[String],
+) -> Vec<String> {
+    if spectra.len() < 2 {
+        return Vec::new();
+    }
+    let peak = Profile::of_sum(spectra).peak_wave_number();
+    let mut warnings = warnings::about_waves(height_of_sum_m(spectra), peak, water, "");
+    let kind = |warning: &str| warning.split(':').next().unwrap_or_default().to_owned();
+    warnings.retain(|warning| of_one.iter().all(|other| kind(other) != kind(warning)));
+    warnings
+}
+
+fn height_of_sum_m(spectra: &[Box<dyn WaveSpectrum>]) -> f64 {
+    significant_height_m(spectra.iter().map(WaveSpectrum::variance_m2).sum())
 }
 
 /// A spectrum's own complaint, under the key that it is about.
