@@ -185,3 +185,30 @@ fn text_is_read_without_its_files() {
     assert_eq!(system.measured, Path::new("no.spec"));
     assert_eq!(Scene::from_toml(&scene.to_toml().unwrap(), "again").unwrap(), scene);
 }
+
+/// A newer record without waves is passed over, and the scene says so; who asks for a record himself hears nothing.
+#[test]
+fn a_newer_record_without_waves_is_told_of() {
+    let found = |line: &str, more: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let scene = write(folder.path(), &format!("measured = \"data/buoy.txt\"\nfrom_deg = 250.0\n{more}"));
+        let (whole, _) = HISTORY.split_at(HISTORY.rfind("2020").unwrap());
+        std::fs::write(folder.path().join("data/buoy.txt"), format!("{whole}{line}")).unwrap();
+        let warnings = Scene::load(&scene).unwrap().warnings;
+        warnings.into_iter().filter(|warning| warning.contains("newest")).collect::<Vec<_>>()
+    };
+    for (values, expected) in
+        [(".00 .00 .00", "is of a calm, all values are 0"), ("999.0 999.0 999.0", "has no values")]
+    {
+        let newer = format!("2020 06 08 04 50 {values}\n");
+        let warnings = found(&newer, "");
+        let words = ["buoy.txt: the newest record of 2020-06-08T04:50:00Z", expected, "that of 2020-06-08T03:50:00Z"];
+        assert!(
+            warnings.len() == 1 && words.iter().all(|word| warnings[0].contains(word)),
+            "{values}: {warnings:?}"
+        );
+        assert_eq!(found(&newer, "time = \"2020-06-08T03:50:00Z\""), Vec::<String>::new());
+        assert_eq!(found(&newer, "record = 1"), Vec::<String>::new());
+    }
+    assert_eq!(found("", ""), Vec::<String>::new());
+}
