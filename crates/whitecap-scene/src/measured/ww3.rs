@@ -6,7 +6,7 @@
 //! in m²/(Hz rad), frequencies within directions. The file's directions are radians clockwise from north
 //! that waves travel towards: the program turns its own, which run from east, before it writes them.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::Arc;
 
 use super::text::number;
@@ -35,7 +35,13 @@ pub(super) fn read(bytes: &[u8], name: &str) -> Result<Vec<MeasuredSea>, Measure
 
     let frequencies_hz: Arc<[f64]> = text.numbers(frequencies, "frequencies in Hz")?.into();
     text.ascending(&frequencies_hz)?;
-    let toward_rad = text.numbers(directions, "directions in radians")?;
+    let toward_rad = text.numbers_that(directions, "directions in radians", |text, toward| {
+        // Digits are few; degrees are not radians.
+        match (-0.01..=TAU + 0.01).contains(&toward) {
+            true => Ok(toward),
+            false => Err(text.unexpected(&toward.to_string(), "directions in radians, from 0 to 2π")),
+        }
+    })?;
     // From clockwise from north to clockwise from east.
     let toward_rad: Arc<[f64]> = toward_rad.into_iter().map(|toward| toward - FRAC_PI_2).collect();
     text.distinct(&toward_rad)?;

@@ -130,6 +130,11 @@ fn ww3() {
     refuses("0.150E+00", "0.250E+00", "file:3: found \"0.2\"; accepted: frequencies");
     refuses("0.000E+00", "0.785E+00", "file:4: found \"a direction twice\"; accepted: different directions");
     refuses("0.000E+00", "*********", "file:4: found \"*********\"; accepted: directions in radians");
+    for outside in ["0.900E+02", "-.785E+00", "0.630E+01"] {
+        refuses("0.471E+01", outside, "file:4: found \"");
+    }
+    let degrees = "file:4: found \"45\"; accepted: directions in radians, from 0 to 2π";
+    refuses("0.785E+00  0.000E+00  0.471E+01  0.314E+01", "45.0  0.0  270.0  180.0", degrees);
     refuses("20220912 060000", "20220932 060000", "file:5: found \"20220932 060000\"; accepted: a time");
     refuses("'first     '", "'first      ", "file:6: found");
     refuses("0.300E+01", "-.300E+01", "file:11: found \"-3\"; accepted: a density from 0");
