@@ -40,6 +40,9 @@ fn tiles_that_do_not_hold_a_system() {
     let one_tile = |size: f64| format!("cascades = 1; resolution = 64; tile_size_m = {size:.0}");
     assert_eq!(warnings(&one_tile(400.0), &[SWELL]), Vec::<String>::new());
     one(&one_tile(700.0), &[SWELL], &["its tiles carry 9", "are too short for the samples"]);
+    // Heights have the digits that tell them apart.
+    let ripples = "spectrum = 'jonswap'; significant_height_m = 0.09; peak_period_s = 1.6";
+    one("cascades = 1; resolution = 64; tile_size_m = 28.0", &[ripples], &["m of 0.0900 m of significant height"]);
 }
 
 /// Variances add: what each system may be, all together may not.

@@ -213,9 +213,10 @@ impl SpectralSettings {
             }
             let [asked_m, there_m] =
                 [1.0, captured].map(|part| significant_height_m(part * spectrum.variance_m2()));
+            let digits = if asked_m < 1.0 { 4 } else { 2 };
             Some(format!(
-                "sea.system[{index}]: its tiles carry {:.1} % of its energy, {there_m:.2} m of {asked_m:.2} m of \
-                 significant height: {}",
+                "sea.system[{index}]: its tiles carry {:.1} % of its energy, {there_m:.digits$} m of \
+                 {asked_m:.digits$} m of significant height: {}",
                 100.0 * captured,
                 fitting::remedy(self, sea, &Profile::of(&spectrum)),
             ))

@@ -33,6 +33,8 @@ fn the_newest_with_waves_of_the_first_place() {
     assert_eq!(calm(WW3), None);
     let calm = chosen("YYYY MM DD hh .1 .2\n2000 01 01 00 0 0\n2000 01 01 01 MM MM\n", None, When::Newest);
     assert_eq!(calm.unwrap_err(), "2 records are without waves: every value is missing or 0");
+    let calm = chosen("YYYY MM DD hh .1 .2\n2000 01 01 00 0 0\n", None, When::Newest);
+    assert_eq!(calm.unwrap_err(), "the only record is without waves: every value is missing or 0");
 }
 
 /// A set of files whose directions come later, or not at all, for some hours.
