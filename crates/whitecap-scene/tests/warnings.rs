@@ -34,6 +34,17 @@ fn loops_that_change_the_period_of_the_peak() {
     one("loop_s = 40.0", &[SWELL], &["by up to 10 %"]);
 }
 
+/// 0.3 m/s carries waves of 100 m by 0.27 of their length in 90 s, which rounds to none.
+#[test]
+fn loops_that_change_the_current() {
+    let still = warnings("loop_s = 90.0", &[SWELL]);
+    assert_eq!(still, Vec::<String>::new());
+    let words = ["loop_s = 90", "takes the current from", "sea.system[0]", "current_mps = 0.3", "0.27 of their lengths"];
+    one("loop_s = 90.0; current_mps = 0.3", &[SWELL], &words);
+    one("loop_s = 900.0; current_mps = 0.3", &[SWELL], &["changes the current by up to 18 % for"]);
+    assert_eq!(warnings("loop_s = 3400.0; current_mps = 0.3", &[SWELL]), Vec::<String>::new());
+}
+
 /// One tile of 64 samples: 4 % of the energy is in waves below two samples.
 #[test]
 fn tiles_that_do_not_hold_a_system() {

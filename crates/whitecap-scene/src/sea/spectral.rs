@@ -1,5 +1,7 @@
 //! Settings of a sea drawn from spectra and moved by a Fourier transform.
 
+use std::f64::consts::TAU;
+
 use glam::DVec2;
 use whitecap_waves::dispersion::Dispersion;
 use whitecap_waves::model::spectral::{self, CascadeBudget, SpectralSea, SpectralSeaParameters, Water};
@@ -233,24 +235,46 @@ impl SpectralSettings {
         let unusual = of_one.into_iter().enumerate().flat_map(|(index, warnings)| {
             warnings.into_iter().map(move |warning| format!("sea.system[{index}]: {warning}"))
         });
-        let hurried = |(index, spectrum)| {
-            let loop_s = self.loop_s?;
-            let water = &sea.parameters().water;
-            let period_s = std::f64::consts::TAU
-                / water.dispersion.angular_frequency(Profile::of(spectrum).peak_wave_number());
-            // A frequency moves by half a turn to a loop.
-            let moved = 0.5 * period_s / loop_s;
-            (moved > LOOPED).then(|| {
-                format!(
-                    "loop_s = {loop_s}: to close, it changes the periods of sea.system[{index}] by up to {:.0} % at the \
-                     peak; loops of {:.0} s or more change them by less than {:.0} %",
-                    100.0 * moved,
-                    (0.5 * period_s / LOOPED).ceil(),
-                    100.0 * LOOPED
-                )
-            })
-        };
-        let hurried = spectra.iter().enumerate().filter_map(hurried);
-        Ok(unusual.chain(of_sum).chain(captured.enumerate().filter_map(lost)).chain(hurried).collect())
+        let looped = spectra.iter().enumerate().flat_map(|(index, spectrum)| {
+            let peak = Profile::of(spectrum).peak_wave_number();
+            self.looped(index, peak, &sea.parameters().water)
+        });
+        Ok(unusual.chain(of_sum).chain(captured.enumerate().filter_map(lost)).chain(looped).collect())
+    }
+
+    /// What the loop does to the waves of a system's peak and to the current that carries them: both come to whole
+    /// turns, so each moves by up to half a turn to a loop.
+    fn looped(&self, index: usize, peak: f64, water: &Water) -> Vec<String> {
+        let Some(loop_s) = self.loop_s else { return Vec::new() };
+        let period_s = TAU / water.dispersion.angular_frequency(peak);
+        let mut warnings = Vec::new();
+        let moved = 0.5 * period_s / loop_s;
+        if moved > LOOPED {
+            warnings.push(format!(
+                "loop_s = {loop_s}: to close, it changes the periods of sea.system[{index}] by up to {:.0} % at the \
+                 peak; loops of {:.0} s or more change them by less than {:.0} %",
+                100.0 * moved,
+                (0.5 * period_s / LOOPED).ceil(),
+                100.0 * LOOPED
+            ));
+        }
+        // Waves along the current, which it carries the furthest.
+        let turns_per_s = peak * self.current_mps / TAU;
+        let carried = turns_per_s * loop_s;
+        if carried > 0.0 && 0.5 / carried > LOOPED {
+            let what = match carried < 0.5 {
+                true => "takes the current from".to_owned(),
+                false => format!("changes the current by up to {:.0} % for", 50.0 / carried),
+            };
+            warnings.push(format!(
+                "loop_s = {loop_s}: to close, it {what} the waves of the peak of sea.system[{index}], which current_mps \
+                 = {} carries {carried:.2} of their lengths in a loop; loops of {:.0} s or more change it by less than \
+                 {:.0} %",
+                self.current_mps,
+                (0.5 / LOOPED / turns_per_s).ceil(),
+                100.0 * LOOPED
+            ));
+        }
+        warnings
     }
 }
