@@ -124,7 +124,7 @@ fn ww3() {
         "file:1: 30000000000 frequencies; accepted: 2 to 1000",
     );
     refuses("3     4     2", "3     2     2", "file:1: 2 directions; accepted: 3 to 1000");
-    refuses("3     4     2", "3     5     2", "file:5: found \"060000\"; accepted: the end of the line");
+    refuses("3     4     2", "3     5     2", "file:5: found \"20220912\"; accepted: directions in radians");
     refuses("3     4     2", "2     4     2", "file:4: found");
     refuses("3     4     2", "3     4     3", "file:12: found \"20220912 070000\"; accepted: a point");
     refuses("0.150E+00", "0.250E+00", "file:3: found \"0.2\"; accepted: frequencies");
