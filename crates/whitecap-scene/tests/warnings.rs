@@ -81,3 +81,35 @@ fn systems_that_are_too_much_together() {
     let steeper = "spectrum = 'jonswap'; significant_height_m = 9; peak_period_s = 8.5";
     one("choppiness = 1.0", &[steeper, steep], &["sea.system[0]: steeper"]);
 }
+
+/// What a message says would hold the waves holds them: its keys put in, nothing is left to say.
+#[test]
+fn advice_about_tiles_can_be_followed() {
+    let ripples = "spectrum = 'jonswap'; significant_height_m = 0.1; peak_period_s = 1";
+    let storm = "spectrum = 'jonswap'; significant_height_m = 4; peak_period_s = 15";
+    let wind_sea = "spectrum = 'jonswap'; significant_height_m = 4; peak_period_s = 12";
+    for (keys, systems, advised) in [
+        ("cascades = 2; resolution = 64", &[ripples, storm][..], "sea.cascades = "),
+        ("cascades = 1", &[ripples, storm], "sea.cascades = "),
+        ("tile_size_m = 100.0", &[wind_sea], "sea.tile_size_m = "),
+        ("tile_size_m = 100.0; cascades = 1; resolution = 16", &[wind_sea], "sea.tile_size_m = "),
+        ("shortest_wave_m = 1000.0; resolution = 16", &[wind_sea, ripples], "sea.shortest_wave_m = "),
+        ("cascades = 1; resolution = 16; tile_size_m = 1500.0", &[wind_sea], "sea."),
+    ] {
+        let told = match read(keys, systems) {
+            Ok(scene) => scene.warnings.join("\n"),
+            Err(refused) => refused,
+        };
+        assert!(told.contains(advised) && told.contains(" hold"), "{keys}: {told}");
+        let advice = told.rsplit_once("; ").unwrap().1.split_once(" hold").unwrap().0;
+        let mut changed: Vec<_> = keys.split("; ").map(str::to_owned).collect();
+        for line in advice.split(" and ").map(|line| line.strip_prefix("sea.").unwrap()) {
+            let (key, _) = line.split_once(' ').unwrap();
+            changed.retain(|old| !old.starts_with(key));
+            // Numbers in metres are printed without a fraction where they have none.
+            let is_whole = key.ends_with("_m") && !line.contains('.');
+            changed.push(if is_whole { format!("{line}.0") } else { line.to_owned() });
+        }
+        assert_eq!(warnings(&changed.join("; "), systems), Vec::<String>::new(), "{keys}: {told}");
+    }
+}

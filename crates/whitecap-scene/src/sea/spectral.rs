@@ -84,7 +84,7 @@ const SHORTEST_WAVE_M: f64 = 0.1;
 const LOOPED: f64 = 0.05;
 
 /// Less of a system than this on the tiles is worth a warning: its height is 1 % lower than was asked for.
-const FULL: f64 = 0.98;
+pub(super) const FULL: f64 = 0.98;
 
 impl SpectralSettings {
     fn read_checked(table: &TableReader<'_>) -> Result<Self, SceneError> {
@@ -180,6 +180,35 @@ impl SpectralSettings {
         }
     }
 
+    /// Changes a plan to these tiles, and says how many of its keys that takes.
+    pub(super) fn replan(
+        &mut self,
+        cascades: u32,
+        resolution: u32,
+        tile_size_m: Option<f64>,
+        shortest_wave_m: Option<f64>,
+        tiling: &Tiling,
+    ) -> u64 {
+        let mut changed = 0;
+        if cascades != self.cascades.unwrap_or(tiling.cascades) {
+            self.cascades = Some(cascades);
+            changed += 1;
+        }
+        if resolution != self.resolution.unwrap_or(tiling.resolution) {
+            self.resolution = Some(resolution);
+            changed += 1;
+        }
+        if tile_size_m != self.tile_size_m {
+            self.tile_size_m = tile_size_m;
+            changed += 1;
+        }
+        if shortest_wave_m != self.shortest_wave_m {
+            self.shortest_wave_m = shortest_wave_m;
+            changed += 1;
+        }
+        changed
+    }
+
     pub(super) fn build(&self, tiling: &Tiling, seed: u64) -> Result<SeaSurface, SceneError> {
         let sea = self.sea_of(&self.spectra()?, tiling, seed)?;
         Ok(SeaSurface::Spectral(Box::new(sea)))
@@ -201,7 +230,7 @@ impl SpectralSettings {
                 Amplitudes::Gaussian => spectral::Amplitudes::Gaussian,
             },
         };
-        SpectralSea::new(parameters, spectra).map_err(|error| fitting::problem(self, &error))
+        SpectralSea::new(parameters, spectra).map_err(|error| fitting::problem(self, spectra, tiling, &error))
     }
 
     /// Where the sea of these settings bends what was asked for: one sentence each.
@@ -220,7 +249,7 @@ impl SpectralSettings {
                 "sea.system[{index}]: its tiles carry {:.1} % of its energy, {there_m:.digits$} m of \
                  {asked_m:.digits$} m of significant height: {}",
                 100.0 * captured,
-                fitting::remedy(self, sea, &Profile::of(&spectrum)),
+                fitting::remedy(self, &spectra, tiling, sea, &Profile::of(&spectrum)),
             ))
         };
         let dispersion = &sea.parameters().water.dispersion;
