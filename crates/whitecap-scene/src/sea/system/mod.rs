@@ -15,6 +15,7 @@ use std::path::PathBuf;
 
 use whitecap_waves::ParameterError;
 use whitecap_waves::dispersion::Dispersion;
+use whitecap_waves::spectrum::pierson_moskowitz::fully_developed_wind_mps;
 use whitecap_waves::spectrum::{Omnidirectional, Profile, WaveSpectrum};
 use whitecap_waves::statistics::significant_height_m;
 
@@ -141,6 +142,18 @@ impl System {
         }
     }
 
+    /// The wind that raises it: the one that it names, or that of the fully developed sea of its height; `None` where
+    /// it has a period of its own, as swell has, or was measured.
+    pub fn developed_wind_mps(&self) -> Option<f64> {
+        let Requested { significant_height_m, peak_period_s, wind_speed_mps, .. } = self.requested();
+        match (wind_speed_mps, self) {
+            (Some(wind), _) => Some(wind),
+            (None, Self::Measured(_)) => None,
+            (None, _) if peak_period_s.is_some() => None,
+            (None, _) => significant_height_m.map(fully_developed_wind_mps),
+        }
+    }
+
     /// What of it can be drawn but is not found at sea, in sentences without a full stop; empty for a usual sea.
     /// `spectrum` is the one that it [builds](Self::build).
     pub fn warnings(&self, dispersion: &Dispersion, spectrum: &dyn WaveSpectrum) -> Vec<String> {
@@ -149,10 +162,13 @@ impl System {
                 |_| Vec::new(),
                 |sea| {
                     let (height_m, period_s) = (sea.significant_height_m(), sea.peak_period_s());
-                    warnings::about(&system.asked(), height_m, period_s, system.gamma(), dispersion)
+                    let asked = system.asked();
+                    let mut warnings = warnings::about(&asked, height_m, period_s, system.gamma(), dispersion);
+                    warnings.extend(warnings::about_period(&asked, spectrum, dispersion));
+                    warnings
                 },
             ),
-            Form::Phillips(system) => system.warnings(dispersion),
+            Form::Phillips(system) => system.warnings(spectrum, dispersion),
             Form::Measured(system) => system.warnings(spectrum, dispersion),
         }
     }
