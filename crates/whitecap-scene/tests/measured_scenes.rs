@@ -4,9 +4,10 @@
 
 use std::path::Path;
 
-use whitecap_scene::sea::SeaModel;
+use whitecap_scene::sea::{SeaModel, SeaSurface};
 use whitecap_scene::sea::system::System;
 use whitecap_scene::{Scene, SceneError};
+use whitecap_waves::model::Surface;
 use whitecap_waves::statistics::significant_height_m;
 
 /// Hs = 4√(0.01 · (½·1 + 4 + ½·2)) by trapezoids = 0.938 m, and an hour before half as high.
@@ -211,4 +212,17 @@ fn a_newer_record_without_waves_is_told_of() {
         assert_eq!(found(&newer, "record = 1"), Vec::<String>::new());
     }
     assert_eq!(found("", ""), Vec::<String>::new());
+}
+
+/// Tiles end where the file does: none is empty.
+#[test]
+fn no_tile_is_without_waves() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = write(folder.path(), "measured = \"data/buoy.txt\"\nfrom_deg = 250.0");
+    let text = std::fs::read_to_string(&scene).unwrap();
+    let planned = text.replace("tile_size_m = 600.0\nresolution = 128\n", "").replace("meshuggah", "spectral-ocean");
+    std::fs::write(&scene, planned).unwrap();
+    let sea = Scene::load(&scene).unwrap().sea.build(1).unwrap();
+    let SeaSurface::Spectral(sea) = sea else { panic!("another sea") };
+    assert!(sea.tiles().iter().all(|tile| tile.variance_m2() > 0.0), "{:?}", sea.parameters().cascades);
 }

@@ -56,7 +56,7 @@ table! {
         resolution: Option<u32> = optional(PowerOfTwo { min: 16, max: 2048 }, "the technique's");
         /// The shortest wave that the tiles should reach down to, as far as their number and resolution allow.
         shortest_wave_m: Option<f64> =
-            optional(Real { unit: "m", min: 0.001, max: 1000.0 }, "0.1 m");
+            optional(Real { unit: "m", min: 0.001, max: 1000.0 }, "0.1 m, or 0.0045 of the camera's height if that is more");
         /// The tiles themselves, `[[sea.cascade]]`, in place of the four keys above.
         cascade: Option<Vec<Cascade>> = optional(CASCADES, "chosen by the spectrum");
         /// How far crests are drawn together: 0 leaves them round, 1 is what linear theory says.
@@ -69,16 +69,30 @@ table! {
 }
 
 /// How many tiles a technique draws, and how it draws them where the scene does not say.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tiling {
     /// The most tiles.
     pub cascades: u32,
     /// Samples along a side.
     pub resolution: u32,
+    /// The shortest wave that its view shows.
+    pub shortest_wave_m: f64,
 }
 
-/// What ten samples of a picture taken from eye height show at the viewer's feet.
-const SHORTEST_WAVE_M: f64 = 0.1;
+impl Tiling {
+    /// That of tiles which are seen from close by: what ten samples of a picture taken from eye height show at the
+    /// viewer's feet.
+    pub const SHORTEST_WAVE_M: f64 = 0.1;
+
+    /// Four pixels of a picture of 720 lines at 45°, straight down: 2 tan 22.5°/720 of the height to a pixel.
+    const SHORTEST_OF_HEIGHT: f64 = 0.0045;
+
+    /// The same, seen from so many metres above the sea.
+    pub(crate) fn from_height(self, height_m: f64) -> Self {
+        let shortest_wave_m = Self::SHORTEST_WAVE_M.max(Self::SHORTEST_OF_HEIGHT * height_m);
+        Self { shortest_wave_m, ..self }
+    }
+}
 
 /// A loop that changes the period of a peak by more than this share is worth a warning.
 const LOOPED: f64 = 0.05;
@@ -172,7 +186,7 @@ impl SpectralSettings {
                 spectra,
                 CascadeBudget {
                     tile_size_m: self.tile_size_m,
-                    shortest_wave_m: self.shortest_wave_m.unwrap_or(SHORTEST_WAVE_M),
+                    shortest_wave_m: self.shortest_wave_m.unwrap_or(tiling.shortest_wave_m),
                     cascades: self.cascades.unwrap_or(tiling.cascades) as usize,
                     resolution: self.resolution.unwrap_or(tiling.resolution) as usize,
                 },

@@ -76,6 +76,18 @@ impl Profile {
         wave_number(found.unwrap_or(STEPS) as f64)
     }
 
+    /// The k in rad/m beyond which there are no waves: less than a millionth of the mean square slope.
+    pub fn last_wave_number(&self) -> f64 {
+        let slopes = |i: usize| self.energy_m2[i] * wave_number(i as f64 + 0.5).powi(2);
+        let least = 1e-6 * (0..STEPS).map(slopes).sum::<f64>();
+        let mut beyond = 0.0;
+        let last = (0..STEPS).rev().find(|&i| {
+            beyond += slopes(i);
+            beyond > least
+        });
+        wave_number(last.map_or(STEPS, |last| last + 1) as f64)
+    }
+
     fn integrate(&self, band: Band, weight: impl Fn(f64) -> f64) -> f64 {
         let step = DECADES * std::f64::consts::LN_10 / STEPS as f64;
         // An edge of the band takes its share of the step that it cuts.
