@@ -100,8 +100,8 @@ fn a_query_is_the_direct_sum() {
 fn a_query_is_the_direct_sum_for_any_choppiness() {
     let spectrum = wind_sea(8.0);
     let shallow = Water { dispersion: crate::dispersion::Dispersion::at_depth(6.0).unwrap(), ..Water::STILL };
-    for (choppiness, water) in [(0.0, shallow), (0.5, Water::STILL), (2.0, shallow), (3.0, Water::STILL)] {
-        let surface = choppy_sea(choppiness, Cascade::split(&[(260.0, 64), (31.0, 32)]), spectrum, water);
+    for (choppiness, water) in [(0.0, shallow), (0.5, Water::STILL), (2.5, shallow), (4.0, Water::STILL)] {
+        let surface = choppy_sea(choppiness, Cascade::split(&[(260.0, 64), (31.0, 64)]), spectrum, water);
         let height_m = significant_height_m(surface.variance_m2());
         let bound_m = (1e-3 * height_m).max(1e-3);
         let places = places(150);
@@ -123,7 +123,7 @@ fn a_query_is_the_direct_sum_for_any_choppiness() {
             compared += 1;
             steep += i32::from(found.jacobian < 0.5);
         }
-        assert!(compared > 100 && (steep > 10 || choppiness < 1.0), "λ {choppiness}: {compared}, {steep}");
+        assert!(compared > 100 && (steep > 3 || choppiness < 3.0), "λ {choppiness}: {compared}, {steep}");
         assert!(worst < bound_m, "λ {choppiness}: {worst} of {bound_m}");
     }
 }
