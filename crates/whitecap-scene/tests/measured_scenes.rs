@@ -4,8 +4,8 @@
 
 use std::path::Path;
 
-use whitecap_scene::sea::{SeaModel, SeaSurface};
 use whitecap_scene::sea::system::System;
+use whitecap_scene::sea::{SeaModel, SeaSurface};
 use whitecap_scene::{Scene, SceneError};
 use whitecap_waves::model::Surface;
 use whitecap_waves::statistics::significant_height_m;
@@ -203,7 +203,8 @@ fn a_newer_record_without_waves_is_told_of() {
     {
         let newer = format!("2020 06 08 04 50 {values}\n");
         let warnings = found(&newer, "");
-        let words = ["buoy.txt: the newest record of 2020-06-08T04:50:00Z", expected, "that of 2020-06-08T03:50:00Z"];
+        let words =
+            ["buoy.txt: the newest record of 2020-06-08T04:50:00Z", expected, "that of 2020-06-08T03:50:00Z"];
         assert!(
             warnings.len() == 1 && words.iter().all(|word| warnings[0].contains(word)),
             "{values}: {warnings:?}"
@@ -220,7 +221,8 @@ fn no_tile_is_without_waves() {
     let folder = tempfile::tempdir().unwrap();
     let scene = write(folder.path(), "measured = \"data/buoy.txt\"\nfrom_deg = 250.0");
     let text = std::fs::read_to_string(&scene).unwrap();
-    let planned = text.replace("tile_size_m = 600.0\nresolution = 128\n", "").replace("meshuggah", "spectral-ocean");
+    let planned =
+        text.replace("tile_size_m = 600.0\nresolution = 128\n", "").replace("meshuggah", "spectral-ocean");
     std::fs::write(&scene, planned).unwrap();
     let sea = Scene::load(&scene).unwrap().sea.build(1).unwrap();
     let SeaSurface::Spectral(sea) = sea else { panic!("another sea") };

@@ -250,7 +250,8 @@ fn tiles_end_where_the_view_does() {
         let tiles = settings.cascades(&scene.sea.spectra().unwrap(), &scene.sea.tiling);
         std::f64::consts::TAU / tiles.last().unwrap().band.to
     };
-    let near = |found: f64, expected: f64| assert!((found / expected - 1.0).abs() < 0.02, "{found} {expected}");
+    let near =
+        |found: f64, expected: f64| assert!((found / expected - 1.0).abs() < 0.02, "{found} {expected}");
     for height_m in [-3.0, 2.0, 22.0] {
         near(shortest_m(height_m, ""), 0.1);
     }

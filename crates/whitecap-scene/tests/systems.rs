@@ -180,7 +180,8 @@ fn a_peak_that_is_not_where_it_was_asked_to_be() {
     assert!(about_period(cut, &DEEP).contains("peak_period_s = 5: the spectrum has its peak at 5.19 s"));
     for spectrum in ["pierson-moskowitz", "jonswap", "elfouhaily", "phillips"] {
         for period_s in [4.0, 6.0, 15.0] {
-            let lines = format!("spectrum = '{spectrum}'; significant_height_m = 0.2; peak_period_s = {period_s}");
+            let lines =
+                format!("spectrum = '{spectrum}'; significant_height_m = 0.2; peak_period_s = {period_s}");
             assert_eq!(about_period(&lines, &DEEP), "", "{lines}");
             assert!((height_m(&system(&lines)) / 0.2 - 1.0).abs() < 1e-9, "{lines}");
         }

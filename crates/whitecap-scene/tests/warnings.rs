@@ -39,7 +39,13 @@ fn loops_that_change_the_period_of_the_peak() {
 fn loops_that_change_the_current() {
     let still = warnings("loop_s = 90.0", &[SWELL]);
     assert_eq!(still, Vec::<String>::new());
-    let words = ["loop_s = 90", "takes the current from", "sea.system[0]", "current_mps = 0.3", "0.27 of their lengths"];
+    let words = [
+        "loop_s = 90",
+        "takes the current from",
+        "sea.system[0]",
+        "current_mps = 0.3",
+        "0.27 of their lengths",
+    ];
     one("loop_s = 90.0; current_mps = 0.3", &[SWELL], &words);
     one("loop_s = 900.0; current_mps = 0.3", &[SWELL], &["changes the current by up to 19 % for"]);
     assert_eq!(warnings("loop_s = 3400.0; current_mps = 0.3", &[SWELL]), Vec::<String>::new());
@@ -53,7 +59,11 @@ fn tiles_that_do_not_hold_a_system() {
     one(&one_tile(700.0), &[SWELL], &["its tiles carry 9", "are too short for the samples"]);
     // Heights have the digits that tell them apart.
     let ripples = "spectrum = 'jonswap'; significant_height_m = 0.09; peak_period_s = 1.6";
-    one("cascades = 1; resolution = 64; tile_size_m = 28.0", &[ripples], &["m of 0.0900 m of significant height"]);
+    one(
+        "cascades = 1; resolution = 64; tile_size_m = 28.0",
+        &[ripples],
+        &["m of 0.0900 m of significant height"],
+    );
 }
 
 /// Variances add: what each system may be, all together may not.

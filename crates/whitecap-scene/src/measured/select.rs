@@ -49,7 +49,11 @@ pub fn select<'a>(
             let whole = |sea: &&&MeasuredSea| sea.has_waves() && sea.lacking_directions().is_none();
             let newest = records.iter().find(whole).or_else(|| records.iter().find(|sea| sea.has_waves()));
             newest.copied().ok_or_else(|| MeasuredProblem::NoWaves {
-                which: if count == 1 { "the only record is".to_owned() } else { format!("{count} records are") },
+                which: if count == 1 {
+                    "the only record is".to_owned()
+                } else {
+                    format!("{count} records are")
+                },
                 why: "every value is missing or 0",
             })
         }

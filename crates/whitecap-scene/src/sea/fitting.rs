@@ -127,7 +127,10 @@ fn change(
         }
     }
     let Some((_, found)) = least else {
-        return ("sea.system", "no tiles of this technique hold all of its systems; draw them apart".to_owned());
+        return (
+            "sea.system",
+            "no tiles of this technique hold all of its systems; draw them apart".to_owned(),
+        );
     };
     let count = |now: Option<u32>, then: Option<u32>| (now != then).then_some(then).flatten().map(f64::from);
     let real = |now: Option<f64>, then: Option<f64>| (now != then).then_some(then).flatten();

@@ -26,13 +26,8 @@ fn sea(cascades: Vec<Cascade>, spectrum: Phillips, water: Water) -> SpectralSea 
 }
 
 fn choppy_sea(choppiness: f64, cascades: Vec<Cascade>, spectrum: Phillips, water: Water) -> SpectralSea {
-    let parameters = SpectralSeaParameters {
-        cascades,
-        choppiness,
-        water,
-        seed: 11,
-        amplitudes: Amplitudes::Gaussian,
-    };
+    let parameters =
+        SpectralSeaParameters { cascades, choppiness, water, seed: 11, amplitudes: Amplitudes::Gaussian };
     SpectralSea::new(parameters, &[spectrum]).unwrap()
 }
 
@@ -119,7 +114,10 @@ fn a_query_is_the_direct_sum_for_any_choppiness() {
             let expected = surface.sample(rest_m, 4.0);
             worst = worst.max((found.height_m() - expected.height_m()).abs());
             let speed = found.velocity_mps.distance(expected.velocity_mps);
-            assert!(speed < 0.02 * expected.velocity_mps.length() + 4e-3 * height_m, "λ {choppiness}: {speed}");
+            assert!(
+                speed < 0.02 * expected.velocity_mps.length() + 4e-3 * height_m,
+                "λ {choppiness}: {speed}"
+            );
             compared += 1;
             steep += i32::from(found.jacobian < 0.5);
         }

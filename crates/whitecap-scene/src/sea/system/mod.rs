@@ -163,7 +163,8 @@ impl System {
                 |sea| {
                     let (height_m, period_s) = (sea.significant_height_m(), sea.peak_period_s());
                     let asked = system.asked();
-                    let mut warnings = warnings::about(&asked, height_m, period_s, system.gamma(), dispersion);
+                    let mut warnings =
+                        warnings::about(&asked, height_m, period_s, system.gamma(), dispersion);
                     warnings.extend(warnings::about_period(&asked, spectrum, dispersion));
                     warnings
                 },

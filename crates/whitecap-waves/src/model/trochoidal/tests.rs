@@ -133,7 +133,8 @@ fn velocity_is_the_rate_of_displacement() {
         for choppiness in [0.0, 1.0, 1.7] {
             let sea = sea(TrochoidalParameters { waves: 9, dispersion, choppiness, ..PARAMETERS });
             for i in 0..8 {
-                let (rest, time_s, step_s) = (DVec2::new(11.0 * f64::from(i), -7.0), 1.3 * f64::from(i), 1e-3);
+                let (rest, time_s, step_s) =
+                    (DVec2::new(11.0 * f64::from(i), -7.0), 1.3 * f64::from(i), 1e-3);
                 let at = |time_s| drawn.sample(rest, time_s).displacement_m;
                 let rate = (at(time_s + step_s) - at(time_s - step_s)) / (2.0 * step_s);
                 let off = sea.sample(rest, time_s).velocity_mps.distance(rate);

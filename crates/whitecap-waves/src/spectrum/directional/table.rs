@@ -61,8 +61,10 @@ impl Table {
         ends.sort_by(f64::total_cmp);
         let piece = |ends: &[f64]| {
             let (from, to) = (ends[0], ends[1]);
-            let knots_per_unit =
-                STRETCHES.iter().find(|(end, _)| from < *end).map_or(0.0, |(_, knots_per_unit)| *knots_per_unit);
+            let knots_per_unit = STRETCHES
+                .iter()
+                .find(|(end, _)| from < *end)
+                .map_or(0.0, |(_, knots_per_unit)| *knots_per_unit);
             let steps = ((to - from) * knots_per_unit).ceil().max(1.0);
             let at = |i: u32| {
                 let x = from + (to - from) * f64::from(i) / steps;

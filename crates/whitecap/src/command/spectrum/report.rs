@@ -147,7 +147,10 @@ impl<'a> Report<'a> {
                 ),
             };
         } else if self.theory.is_some() {
-            let _ = writeln!(text, "no whitecap cover: no system says its wind, as measured ones and swell do not");
+            let _ = writeln!(
+                text,
+                "no whitecap cover: no system says its wind, as measured ones and swell do not"
+            );
         }
         for warning in &self.warnings {
             let _ = writeln!(text, "warning: {warning}");
