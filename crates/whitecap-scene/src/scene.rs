@@ -159,7 +159,7 @@ impl Scene {
         let mut sea = Sea::read(&sea_table, &technique)?;
         let (seed, sky) = (table.read("seed", &SEED)?, Sky::read(&table.table("sky")?)?);
         let camera = Camera::read_checked(&table.table("camera")?)?;
-        sea.tiling = sea.tiling.from_height(camera.position_m[1]);
+        sea.tiling = sea.tiling.seen_from(camera.position_m[1]);
         Ok(Self {
             seed,
             sky,

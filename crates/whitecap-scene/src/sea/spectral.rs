@@ -88,7 +88,7 @@ impl Tiling {
     const SHORTEST_OF_HEIGHT: f64 = 0.0045;
 
     /// The same, seen from so many metres above the sea.
-    pub(crate) fn from_height(self, height_m: f64) -> Self {
+    pub(crate) fn seen_from(self, height_m: f64) -> Self {
         let shortest_wave_m = Self::SHORTEST_WAVE_M.max(Self::SHORTEST_OF_HEIGHT * height_m);
         Self { shortest_wave_m, ..self }
     }
