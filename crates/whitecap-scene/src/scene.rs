@@ -156,11 +156,14 @@ impl Scene {
         table.only(Self::keys().iter().map(|key| key.key).chain(Self::tables()))?;
         let technique = Technique::read(table)?;
         let sea_table = table.table("sea")?;
-        let sea = Sea::read(&sea_table, &technique)?;
+        let mut sea = Sea::read(&sea_table, &technique)?;
+        let (seed, sky) = (table.read("seed", &SEED)?, Sky::read(&table.table("sky")?)?);
+        let camera = Camera::read_checked(&table.table("camera")?)?;
+        sea.tiling = sea.tiling.seen_from(camera.position_m[1]);
         Ok(Self {
-            seed: table.read("seed", &SEED)?,
-            sky: Sky::read(&table.table("sky")?)?,
-            camera: Camera::read_checked(&table.table("camera")?)?,
+            seed,
+            sky,
+            camera,
             picture: Picture::read_for(table, &technique)?,
             objects: table.read("object", &OBJECTS)?,
             technique,

@@ -4,9 +4,10 @@
 
 use std::path::Path;
 
-use whitecap_scene::sea::SeaModel;
 use whitecap_scene::sea::system::System;
+use whitecap_scene::sea::{SeaModel, SeaSurface};
 use whitecap_scene::{Scene, SceneError};
+use whitecap_waves::model::Surface;
 use whitecap_waves::statistics::significant_height_m;
 
 /// Hs = 4√(0.01 · (½·1 + 4 + ½·2)) by trapezoids = 0.938 m, and an hour before half as high.
@@ -212,4 +213,46 @@ fn text_is_read_without_its_files() {
     let System::Measured(system) = &settings.system[0] else { panic!("another system") };
     assert_eq!(system.measured, Path::new("no.spec"));
     assert_eq!(Scene::from_toml(&scene.to_toml().unwrap(), "again").unwrap(), scene);
+}
+
+/// A newer record without waves is passed over, and the scene says so; who asks for a record himself hears nothing.
+#[test]
+fn a_newer_record_without_waves_is_told_of() {
+    let found = |line: &str, more: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let scene = write(folder.path(), &format!("measured = \"data/buoy.txt\"\nfrom_deg = 250.0\n{more}"));
+        let (whole, _) = HISTORY.split_at(HISTORY.rfind("2020").unwrap());
+        std::fs::write(folder.path().join("data/buoy.txt"), format!("{whole}{line}")).unwrap();
+        let warnings = Scene::load(&scene).unwrap().warnings;
+        warnings.into_iter().filter(|warning| warning.contains("newest")).collect::<Vec<_>>()
+    };
+    for (values, expected) in
+        [(".00 .00 .00", "is of a calm, all values are 0"), ("999.0 999.0 999.0", "has no values")]
+    {
+        let newer = format!("2020 06 08 04 50 {values}\n");
+        let warnings = found(&newer, "");
+        let words =
+            ["buoy.txt: the newest record of 2020-06-08T04:50:00Z", expected, "that of 2020-06-08T03:50:00Z"];
+        assert!(
+            warnings.len() == 1 && words.iter().all(|word| warnings[0].contains(word)),
+            "{values}: {warnings:?}"
+        );
+        assert_eq!(found(&newer, "time = \"2020-06-08T03:50:00Z\""), Vec::<String>::new());
+        assert_eq!(found(&newer, "record = 1"), Vec::<String>::new());
+    }
+    assert_eq!(found("", ""), Vec::<String>::new());
+}
+
+/// Tiles end where the file does: none is empty.
+#[test]
+fn no_tile_is_without_waves() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = write(folder.path(), "measured = \"data/buoy.txt\"\nfrom_deg = 250.0");
+    let text = std::fs::read_to_string(&scene).unwrap();
+    let planned =
+        text.replace("tile_size_m = 600.0\nresolution = 128\n", "").replace("meshuggah", "spectral-ocean");
+    std::fs::write(&scene, planned).unwrap();
+    let sea = Scene::load(&scene).unwrap().sea.build(1).unwrap();
+    let SeaSurface::Spectral(sea) = sea else { panic!("another sea") };
+    assert!(sea.tiles().iter().all(|tile| tile.variance_m2() > 0.0), "{:?}", sea.parameters().cascades);
 }

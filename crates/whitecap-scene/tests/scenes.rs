@@ -71,7 +71,7 @@ fn a_scene_says_what_its_file_says() {
                     small_wave_cutoff_m: 0.0,
                 })],
             }),
-            tiling: Tiling { cascades: 1, resolution: 64 },
+            tiling: Tiling { cascades: 1, resolution: 64, shortest_wave_m: 0.1 },
         },
         sky: Sky::Atmosphere(Atmosphere { sun_azimuth_deg: 255.0, ..Atmosphere::default() }),
         picture: Picture::default(),
@@ -234,5 +234,32 @@ proptest! {
     #[test]
     fn no_bytes_panic(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
         let _ = Scene::from_toml(&String::from_utf8_lossy(&bytes), "any");
+    }
+}
+
+/// From above one sees no ripples: the tiles end at four pixels of a picture of 720 lines. Below 22 m they reach down to
+/// 0.1 m, and a scene may say another length itself.
+#[test]
+fn tiles_end_where_the_view_does() {
+    let shortest_m = |height_m: f64, more: &str| {
+        let text = format!(
+            "technique = 'spectral-ocean'\n[sea]\n{more}\n[[sea.system]]\nspectrum = 'jonswap'\nwind_speed_mps = 9.0\n\
+             from_deg = 9.0\n[camera]\nposition_m = [0, {height_m}, 0]\nlook_at_m = [900, 0, 0]\n"
+        );
+        let scene = Scene::from_toml(&text, "view").unwrap();
+        let SeaModel::Spectral(settings) = &scene.sea.model else { panic!() };
+        let tiles = settings.cascades(&scene.sea.spectra().unwrap(), &scene.sea.tiling);
+        std::f64::consts::TAU / tiles.last().unwrap().band.to
+    };
+    let near =
+        |found: f64, expected: f64| assert!((found / expected - 1.0).abs() < 0.02, "{found} {expected}");
+    for height_m in [-3.0, 2.0, 22.0] {
+        near(shortest_m(height_m, ""), 0.1);
+    }
+    near(shortest_m(300.0, ""), 1.35);
+    near(shortest_m(300.0, "shortest_wave_m = 0.2"), 0.2);
+    for scene in named::ALL {
+        let tiling = whitecap_scene::open(scene.name).unwrap().sea.tiling;
+        assert_eq!(tiling.shortest_wave_m, 0.1, "{}", scene.name);
     }
 }

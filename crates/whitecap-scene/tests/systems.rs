@@ -133,6 +133,7 @@ fn warnings_about_seas_that_are_not_found() {
         "spectrum = 'jonswap'; wind_speed_mps = 12; fetch_km = 300",
         "spectrum = 'jonswap'; wind_speed_mps = 12",
         "spectrum = 'jonswap'; wind_speed_mps = 8; fetch_km = 30",
+        "spectrum = 'jonswap'; wind_speed_mps = 8; fetch_km = 220",
         "spectrum = 'pierson-moskowitz'; sea_state = 7",
         "spectrum = 'elfouhaily'; wind_speed_mps = 20",
         "spectrum = 'phillips'; wind_speed_mps = 9",
@@ -153,7 +154,36 @@ fn warnings_about_seas_that_are_not_found() {
     one("spectrum = 'phillips'; significant_height_m = 10; peak_period_s = 6", &["steeper", "56.2 m"]);
     one("spectrum = 'jonswap'; sea_state = 4; gamma = 8", &["gamma = 8", "1 to 7"]);
     one("spectrum = 'jonswap'; wind_speed_mps = 8; fetch_km = 5000", &["fetch_km = 5000", "111 km"]);
+    one("spectrum = 'jonswap'; wind_speed_mps = 8; fetch_km = 225", &["fetch_km = 225", "111 km"]);
     let shallow = Dispersion::at_depth(3.0).unwrap();
     let found = warnings_over("spectrum = 'jonswap'; sea_state = 4; gamma = 1", &shallow);
     assert!(found.len() == 1 && found[0].contains("depth_m = 3") && found[0].contains("1.80 m"), "{found:?}");
+}
+
+/// The greatest S(ω) is where it was asked to be, or the scene says where it is.
+#[test]
+fn a_peak_that_is_not_where_it_was_asked_to_be() {
+    let shallow = Dispersion::at_depth(3.0).unwrap();
+    let about_period = |lines: &str, water: &Dispersion| {
+        let found = warnings_over(lines, water);
+        found.into_iter().filter(|warning| warning.starts_with("peak_period_s")).collect::<Vec<_>>().join("")
+    };
+    let System::Jonswap(swell) =
+        system("spectrum = 'jonswap'; significant_height_m = 1; peak_period_s = 9; gamma = 1")
+    else {
+        panic!()
+    };
+    let tma = System::Tma(TmaSystem(swell));
+    let found = tma.warnings(&shallow, &*tma.build("sea.system[0]", &shallow).unwrap()).concat();
+    assert!(found.contains("peak_period_s = 9: the spectrum has its peak at 7.9"), "{found}");
+    let cut = "spectrum = 'phillips'; significant_height_m = 1; peak_period_s = 5; small_wave_cutoff_m = 3";
+    assert!(about_period(cut, &DEEP).contains("peak_period_s = 5: the spectrum has its peak at 5.19 s"));
+    for spectrum in ["pierson-moskowitz", "jonswap", "elfouhaily", "phillips"] {
+        for period_s in [4.0, 6.0, 15.0] {
+            let lines =
+                format!("spectrum = '{spectrum}'; significant_height_m = 0.2; peak_period_s = {period_s}");
+            assert_eq!(about_period(&lines, &DEEP), "", "{lines}");
+            assert!((height_m(&system(&lines)) / 0.2 - 1.0).abs() < 1e-9, "{lines}");
+        }
+    }
 }

@@ -42,17 +42,18 @@ pub fn select<'a>(
             found.ok_or_else(|| no_such_place(seas, asked))?.place.number
         }
     };
-    let mut records: Vec<_> = seas.iter().filter(|sea| sea.place.number == wanted).collect();
-    // Newest first. Without times the last in the file counts as the newest.
-    records.reverse();
-    records.sort_by_key(|sea| std::cmp::Reverse(sea.time));
+    let records = newest_first(seas, wanted);
     match selection.when {
         When::Newest => {
             let count = records.len();
             let whole = |sea: &&&MeasuredSea| sea.has_waves() && sea.lacking_directions().is_none();
             let newest = records.iter().find(whole).or_else(|| records.iter().find(|sea| sea.has_waves()));
             newest.copied().ok_or_else(|| MeasuredProblem::NoWaves {
-                which: format!("{count} records are"),
+                which: if count == 1 {
+                    "the only record is".to_owned()
+                } else {
+                    format!("{count} records are")
+                },
                 why: "every value is missing or 0",
             })
         }
@@ -77,12 +78,19 @@ pub fn select<'a>(
     }
 }
 
-/// The newest record of the same place that has waves, is newer than `chosen`, and lacks directions: what choosing
-/// the newest passes over.
+/// The newest record of the place of `chosen`, one of `seas`, unless that is it: what choosing the newest with waves
+/// and directions passes over.
 pub fn passed_over<'a>(seas: &'a [MeasuredSea], chosen: &MeasuredSea) -> Option<&'a MeasuredSea> {
-    let newer = |sea: &&MeasuredSea| sea.place.number == chosen.place.number && sea.time > chosen.time;
-    let lacking = |sea: &&MeasuredSea| sea.lacking_directions().is_some();
-    seas.iter().filter(newer).filter(lacking).max_by_key(|sea| sea.time)
+    let newest = newest_first(seas, chosen.place.number).into_iter().next()?;
+    (!std::ptr::eq(newest, chosen)).then_some(newest)
+}
+
+/// The records of a place. Without times the last in the file counts as the newest.
+fn newest_first(seas: &[MeasuredSea], place: usize) -> Vec<&MeasuredSea> {
+    let mut records: Vec<_> = seas.iter().filter(|sea| sea.place.number == place).collect();
+    records.reverse();
+    records.sort_by_key(|sea| std::cmp::Reverse(sea.time));
+    records
 }
 
 fn no_such_place(seas: &[MeasuredSea], asked: &str) -> MeasuredProblem {

@@ -82,6 +82,16 @@ impl<'a> Text<'a> {
 
     /// As many numbers as that, from as many lines as it takes; the last must end with the last number.
     pub(super) fn numbers(&mut self, count: usize, wanted: &'static str) -> Result<Vec<f64>, MeasuredError> {
+        self.numbers_that(count, wanted, |_, number| Ok(number))
+    }
+
+    /// The same, each checked or changed while its line is the last that was read.
+    pub(super) fn numbers_that(
+        &mut self,
+        count: usize,
+        wanted: &'static str,
+        each: impl Fn(&Self, f64) -> Result<f64, MeasuredError>,
+    ) -> Result<Vec<f64>, MeasuredError> {
         // What is set aside is no more than what the file has: the vector grows with it.
         let mut numbers = Vec::new();
         while numbers.len() < count {
@@ -90,7 +100,7 @@ impl<'a> Text<'a> {
                 if numbers.len() == count {
                     return Err(self.unexpected(word, "the end of the line, for there are enough numbers"));
                 }
-                numbers.push(self.number(word, wanted)?);
+                numbers.push(each(self, self.number(word, wanted)?)?);
             }
         }
         Ok(numbers)

@@ -6,7 +6,7 @@
 //! in m²/(Hz rad), frequencies within directions. The file's directions are radians clockwise from north
 //! that waves travel towards: the program turns its own, which run from east, before it writes them.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::Arc;
 
 use super::text::number;
@@ -35,7 +35,13 @@ pub(super) fn read(bytes: &[u8], name: &str) -> Result<Vec<MeasuredSea>, Measure
 
     let frequencies_hz: Arc<[f64]> = text.numbers(frequencies, "frequencies in Hz")?.into();
     text.ascending(&frequencies_hz)?;
-    let toward_rad = text.numbers(directions, "directions in radians")?;
+    let toward_rad = text.numbers_that(directions, "directions in radians", |text, toward| {
+        // Digits are few; degrees are not radians.
+        match (-0.01..=TAU + 0.01).contains(&toward) {
+            true => Ok(toward),
+            false => Err(text.unexpected(&toward.to_string(), "directions in radians, from 0 to 2π")),
+        }
+    })?;
     // From clockwise from north to clockwise from east.
     let toward_rad: Arc<[f64]> = toward_rad.into_iter().map(|toward| toward - FRAC_PI_2).collect();
     text.distinct(&toward_rad)?;
@@ -48,13 +54,14 @@ pub(super) fn read(bytes: &[u8], name: &str) -> Result<Vec<MeasuredSea>, Measure
         for point in 1..=points {
             let line = text.expect(POINT)?;
             let place = place(line, point).ok_or_else(|| text.unexpected(line, POINT))?;
-            let values = text.numbers(frequencies * directions, "densities in m²/(Hz rad)")?;
+            let count = frequencies * directions;
+            let values = text.numbers_that(count, "densities in m²/(Hz rad)", checked)?;
             let sea = MeasuredSea {
                 source: Format::WaveWatch3,
                 place: Arc::new(place),
                 time: Some(time),
                 frequencies_hz: Arc::clone(&frequencies_hz),
-                energy: energy(&text, &values, &toward_rad)?,
+                energy: energy(&values, &toward_rad),
             };
             text.push(&mut seas, sea)?;
         }
@@ -62,18 +69,22 @@ pub(super) fn read(bytes: &[u8], name: &str) -> Result<Vec<MeasuredSea>, Measure
     if seas.is_empty() { Err(text.error(MeasuredProblem::NoRecord)) } else { Ok(seas) }
 }
 
-/// E with the directions within the frequencies.
-fn energy(text: &Text<'_>, values: &[f64], toward_rad: &Arc<[f64]>) -> Result<Energy, MeasuredError> {
-    if let Some(wrong) = values.iter().find(|value| !(0.0..=1e6).contains(*value)) {
-        return Err(text.unexpected(&wrong.to_string(), "a density from 0 to 1000000 m²/(Hz rad)"));
+fn checked(text: &Text<'_>, density: f64) -> Result<f64, MeasuredError> {
+    match (0.0..=1e6).contains(&density) {
+        true => Ok(density),
+        false => Err(text.unexpected(&density.to_string(), "a density from 0 to 1000000 m²/(Hz rad)")),
     }
+}
+
+/// E with the directions within the frequencies.
+fn energy(values: &[f64], toward_rad: &Arc<[f64]>) -> Energy {
     if values.iter().all(|value| *value == 0.0) {
-        return Ok(Energy::Calm);
+        return Energy::Calm;
     }
     let frequencies = values.len() / toward_rad.len();
     let column = |frequency: usize| values.iter().skip(frequency).step_by(frequencies);
     let density = (0..frequencies).flat_map(column).copied().collect();
-    Ok(Energy::Directional { toward_rad: Arc::clone(toward_rad), density })
+    Energy::Directional { toward_rad: Arc::clone(toward_rad), density }
 }
 
 /// A point: its name in quotes, which may hold blanks, latitude and longitude; the columns may touch where a

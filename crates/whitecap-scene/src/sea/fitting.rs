@@ -2,20 +2,46 @@
 
 use std::f64::consts::TAU;
 
-use whitecap_waves::model::spectral::{Band, SpectralSea};
-use whitecap_waves::spectrum::Profile;
+use whitecap_waves::model::spectral::{Band, Cascade, SpectralSea};
+use whitecap_waves::spectrum::{Profile, WaveSpectrum};
 use whitecap_waves::{ParameterError, Remedy};
 
-use super::SpectralSettings;
+use super::spectral::FULL;
+use super::{SpectralSettings, Tiling};
 use crate::error::SceneError;
 
 /// The sea's own complaint, under the key that it is about.
-pub(super) fn problem(settings: &SpectralSettings, error: &ParameterError) -> SceneError {
+pub(super) fn problem(
+    settings: &SpectralSettings,
+    spectra: &[Box<dyn WaveSpectrum>],
+    tiling: &Tiling,
+    error: &ParameterError,
+) -> SceneError {
     match *error {
         ParameterError::OutOfRange { field, value, accepted } => SceneError::about_key(
             format!("sea.{field}"),
             format!("{value} is out of range for this sea; accepted: {accepted}"),
         ),
+        ParameterError::SeaDoesNotFit { system, captured_fraction, .. } if settings.cascade.is_none() => {
+            let (key, change) = change(settings, spectra, tiling);
+            let tiles = settings.cascades(spectra, tiling);
+            let (longest, shortest) = ends(&tiles);
+            let tiles_carry = match tiles.len() {
+                1 => "one tile carries".to_owned(),
+                count => format!("{count} tiles carry"),
+            };
+            let problem = format!(
+                "{tiles_carry} only {:.0} % of the energy of wave system {system}: {} samples a side and {} m \
+                 hold waves from {:.2} to {:.1} m, and its peak is at {:.1} m; {change}",
+                100.0 * captured_fraction,
+                tiles[0].resolution,
+                tiles[0].tile_size_m,
+                TAU / shortest,
+                TAU / longest,
+                TAU / Profile::of(&spectra[system]).peak_wave_number()
+            );
+            SceneError::about_key(key, problem)
+        }
         ParameterError::SeaDoesNotFit { system, captured_fraction, ref remedy, .. } => {
             let key = match remedy {
                 Remedy::LargerTile { .. } => largest_tile(settings),
@@ -36,29 +62,109 @@ pub(super) fn problem(settings: &SpectralSettings, error: &ParameterError) -> Sc
 }
 
 /// What would make the rest of a spectrum fit.
-pub(super) fn remedy(settings: &SpectralSettings, sea: &SpectralSea, profile: &Profile) -> String {
+pub(super) fn remedy(
+    settings: &SpectralSettings,
+    spectra: &[Box<dyn WaveSpectrum>],
+    tiling: &Tiling,
+    sea: &SpectralSea,
+    profile: &Profile,
+) -> String {
     let cascades = &sea.parameters().cascades;
-    let (first, last) = (cascades[0], cascades[cascades.len() - 1]);
-    let finest = last.band.to.min(Band::of_tile(last.tile_size_m, last.resolution).to);
-    let longest = Band::of_tile(first.tile_size_m, first.resolution).from;
+    let first = cascades[0];
+    let (longest, finest) = ends(cascades);
+    let planned = || change(settings, spectra, tiling).1;
     let too_short = profile.variance_m2(Band { from: finest, to: f64::INFINITY });
     let too_long = profile.variance_m2(Band { from: 0.0, to: longest });
     if too_long > too_short {
-        format!(
-            "its waves are too long for a tile of {} m; {} = {} holds them",
-            first.tile_size_m,
-            largest_tile(settings),
-            (8.0 * TAU / profile.peak_wave_number()).ceil()
-        )
+        let larger = match settings.cascade {
+            Some(_) => {
+                let size_m = (8.0 * TAU / profile.peak_wave_number()).ceil();
+                format!("{} = {size_m} holds them", largest_tile(settings))
+            }
+            None => planned(),
+        };
+        format!("its waves are too long for a tile of {} m; {larger}", first.tile_size_m)
     } else {
         let more = match settings.cascade {
             Some(_) => {
-                format!("a greater {} or one more [[sea.cascade]] of a smaller tile", finest_tile(settings))
+                let finest = finest_tile(settings);
+                format!("a greater {finest} or one more [[sea.cascade]] of a smaller tile hold them")
             }
-            None => "more resolution, more cascades or a smaller tile".to_owned(),
+            None => planned(),
         };
-        format!("waves below {:.2} m are too short for the samples; {more} hold them", TAU / finest)
+        format!("waves below {:.2} m are too short for the samples; {more}", TAU / finest)
     }
+}
+
+/// The least change of the keys of a plan with which its tiles hold all systems: the first of the keys, and a phrase.
+fn change(
+    settings: &SpectralSettings,
+    spectra: &[Box<dyn WaveSpectrum>],
+    tiling: &Tiling,
+) -> (&'static str, String) {
+    let profiles: Vec<_> = spectra.iter().filter(|one| one.variance_m2() > 0.0).map(Profile::of).collect();
+    let peaks = || profiles.iter().map(|profile| TAU / profile.peak_wave_number());
+    let eight_peaks_m = Some((8.0 * peaks().fold(1.0, f64::max)).ceil());
+    // A quarter of a peak's length has 4 % of the energy of a wind sea below it, an eighth 1 %.
+    let eighth_peak_m = Some((1e3 * peaks().fold(1e3, f64::min) / 8.0).floor().max(1.0) / 1e3);
+    let cascades_now = settings.cascades.unwrap_or(tiling.cascades);
+    let resolution_now = settings.resolution.unwrap_or(tiling.resolution);
+    let mut least: Option<(u64, SpectralSettings)> = None;
+    for cascades in cascades_now..=tiling.cascades.max(cascades_now) {
+        for resolution in (0..8).map(|doubled| resolution_now << doubled).take_while(|side| *side <= 2048) {
+            for tile_size_m in [settings.tile_size_m, eight_peaks_m] {
+                for shortest_wave_m in [settings.shortest_wave_m, eighth_peak_m] {
+                    let mut tried = settings.clone();
+                    let keys = tried.replan(cascades, resolution, tile_size_m, shortest_wave_m, tiling);
+                    // A key more is worth a quarter of the samples.
+                    let cost = (u64::from(cascades) * u64::from(resolution).pow(2)) << (2 * keys);
+                    let is_less = least.as_ref().is_none_or(|(known, _)| cost < *known);
+                    if is_less && holds(&tried.cascades(spectra, tiling), &profiles) {
+                        least = Some((cost, tried));
+                    }
+                }
+            }
+        }
+    }
+    let Some((_, found)) = least else {
+        return (
+            "sea.system",
+            "no tiles of this technique hold all of its systems; draw them apart".to_owned(),
+        );
+    };
+    let count = |now: Option<u32>, then: Option<u32>| (now != then).then_some(then).flatten().map(f64::from);
+    let real = |now: Option<f64>, then: Option<f64>| (now != then).then_some(then).flatten();
+    let keys = [
+        ("sea.cascades", count(settings.cascades, found.cascades)),
+        ("sea.tile_size_m", real(settings.tile_size_m, found.tile_size_m)),
+        ("sea.shortest_wave_m", real(settings.shortest_wave_m, found.shortest_wave_m)),
+        ("sea.resolution", count(settings.resolution, found.resolution)),
+    ];
+    let said: Vec<_> = keys.into_iter().filter_map(|(key, value)| Some((key, value?))).collect();
+    let phrase: Vec<_> = said.iter().map(|(key, value)| format!("{key} = {value}")).collect();
+    let verb = if phrase.len() == 1 { "holds" } else { "hold" };
+    (said.first().map_or("sea", |(key, _)| key), format!("{} {verb} them", phrase.join(" and ")))
+}
+
+/// Whether tiles carry each system but for what is not worth a warning.
+fn holds(tiles: &[Cascade], profiles: &[Profile]) -> bool {
+    profiles.iter().all(|profile| {
+        let part = |tile: &Cascade| {
+            let lattice = Band::of_tile(tile.tile_size_m, tile.resolution);
+            let (from, to) = (tile.band.from.max(lattice.from), tile.band.to.min(lattice.to));
+            if from < to { profile.variance_m2(Band { from, to }) } else { 0.0 }
+        };
+        // A profile is good to a part of a per cent.
+        let all = profile.variance_m2(Band::WHOLE);
+        tiles.iter().map(part).sum::<f64>() > (FULL + 0.002) * all
+    })
+}
+
+/// The wave numbers of the longest and the shortest waves of a sea's tiles.
+fn ends(tiles: &[Cascade]) -> (f64, f64) {
+    let (first, last) = (tiles[0], tiles[tiles.len() - 1]);
+    let of = |tile: Cascade| Band::of_tile(tile.tile_size_m, tile.resolution);
+    (of(first).from, last.band.to.min(of(last).to))
 }
 
 /// How many tiles the file has, where it has several.

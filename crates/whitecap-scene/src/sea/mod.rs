@@ -129,6 +129,13 @@ impl Sea {
         settings.system.iter().filter_map(|system| system.requested().wind_speed_mps).reduce(f64::max)
     }
 
+    /// The strongest wind of its systems, where one that speaks of a height alone, or of a sea state, has that of the
+    /// fully developed sea of this height.
+    pub fn developed_wind_mps(&self) -> Option<f64> {
+        let SeaModel::Spectral(settings) = &self.model else { return None };
+        settings.system.iter().filter_map(system::System::developed_wind_mps).reduce(f64::max)
+    }
+
     /// Builds the sea, and says where it bends what was asked for, such as energy that its tiles cannot carry: one
     /// sentence each, with the figure and what to change.
     ///

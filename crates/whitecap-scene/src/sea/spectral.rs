@@ -1,5 +1,7 @@
 //! Settings of a sea drawn from spectra and moved by a Fourier transform.
 
+use std::f64::consts::TAU;
+
 use glam::DVec2;
 use whitecap_waves::dispersion::Dispersion;
 use whitecap_waves::model::spectral::{self, CascadeBudget, SpectralSea, SpectralSeaParameters, Water};
@@ -7,7 +9,7 @@ use whitecap_waves::spectrum::{Profile, WaveSpectrum};
 use whitecap_waves::statistics::significant_height_m;
 
 use super::cascade::{CASCADES, Cascade};
-use super::system::{SYSTEMS, System};
+use super::system::{self, SYSTEMS, System};
 use super::{SeaModel, SeaSurface, fitting};
 use crate::error::SceneError;
 use crate::key::{Count, Flag, OneOf, PowerOfTwo, Real, optional, or, required, table, words};
@@ -54,7 +56,7 @@ table! {
         resolution: Option<u32> = optional(PowerOfTwo { min: 16, max: 2048 }, "the technique's");
         /// The shortest wave that the tiles should reach down to, as far as their number and resolution allow.
         shortest_wave_m: Option<f64> =
-            optional(Real { unit: "m", min: 0.001, max: 1000.0 }, "0.1 m");
+            optional(Real { unit: "m", min: 0.001, max: 1000.0 }, "0.1 m, or 0.0045 of the camera's height if that is more");
         /// The tiles themselves, `[[sea.cascade]]`, in place of the four keys above.
         cascade: Option<Vec<Cascade>> = optional(CASCADES, "chosen by the spectrum");
         /// How far crests are drawn together: 0 leaves them round, 1 is what linear theory says.
@@ -67,22 +69,36 @@ table! {
 }
 
 /// How many tiles a technique draws, and how it draws them where the scene does not say.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tiling {
     /// The most tiles.
     pub cascades: u32,
     /// Samples along a side.
     pub resolution: u32,
+    /// The shortest wave that its view shows.
+    pub shortest_wave_m: f64,
 }
 
-/// What ten samples of a picture taken from eye height show at the viewer's feet.
-const SHORTEST_WAVE_M: f64 = 0.1;
+impl Tiling {
+    /// That of tiles which are seen from close by: what ten samples of a picture taken from eye height show at the
+    /// viewer's feet.
+    pub const SHORTEST_WAVE_M: f64 = 0.1;
+
+    /// Four pixels of a picture of 720 lines at 45°, straight down: 2 tan 22.5°/720 of the height to a pixel.
+    const SHORTEST_OF_HEIGHT: f64 = 0.0045;
+
+    /// The same, seen from so many metres above the sea.
+    pub(crate) fn seen_from(self, height_m: f64) -> Self {
+        let shortest_wave_m = Self::SHORTEST_WAVE_M.max(Self::SHORTEST_OF_HEIGHT * height_m);
+        Self { shortest_wave_m, ..self }
+    }
+}
 
 /// A loop that changes the period of a peak by more than this share is worth a warning.
 const LOOPED: f64 = 0.05;
 
 /// Less of a system than this on the tiles is worth a warning: its height is 1 % lower than was asked for.
-const FULL: f64 = 0.98;
+pub(super) const FULL: f64 = 0.98;
 
 impl SpectralSettings {
     fn read_checked(table: &TableReader<'_>) -> Result<Self, SceneError> {
@@ -148,12 +164,14 @@ impl SpectralSettings {
     ///
     /// # Errors
     ///
-    /// If the settings of a system contradict each other.
+    /// If the settings of a system contradict each other, or the systems together are higher than a sea can be.
     pub fn spectra(&self) -> Result<Vec<Box<dyn WaveSpectrum>>, SceneError> {
         let dispersion = self.water()?.dispersion;
         let spectrum =
             |(index, system): (usize, &System)| system.build(&format!("sea.system[{index}]"), &dispersion);
-        self.system.iter().enumerate().map(spectrum).collect()
+        let spectra = self.system.iter().enumerate().map(spectrum).collect::<Result<Vec<_>, _>>()?;
+        system::check_sum(&spectra)?;
+        Ok(spectra)
     }
 
     /// The tiles for a sea of these spectra, drawn by a technique with this tiling.
@@ -168,12 +186,41 @@ impl SpectralSettings {
                 spectra,
                 CascadeBudget {
                     tile_size_m: self.tile_size_m,
-                    shortest_wave_m: self.shortest_wave_m.unwrap_or(SHORTEST_WAVE_M),
+                    shortest_wave_m: self.shortest_wave_m.unwrap_or(tiling.shortest_wave_m),
                     cascades: self.cascades.unwrap_or(tiling.cascades) as usize,
                     resolution: self.resolution.unwrap_or(tiling.resolution) as usize,
                 },
             ),
         }
+    }
+
+    /// Changes a plan to these tiles, and says how many of its keys that takes.
+    pub(super) fn replan(
+        &mut self,
+        cascades: u32,
+        resolution: u32,
+        tile_size_m: Option<f64>,
+        shortest_wave_m: Option<f64>,
+        tiling: &Tiling,
+    ) -> u64 {
+        let mut changed = 0;
+        if cascades != self.cascades.unwrap_or(tiling.cascades) {
+            self.cascades = Some(cascades);
+            changed += 1;
+        }
+        if resolution != self.resolution.unwrap_or(tiling.resolution) {
+            self.resolution = Some(resolution);
+            changed += 1;
+        }
+        if tile_size_m != self.tile_size_m {
+            self.tile_size_m = tile_size_m;
+            changed += 1;
+        }
+        if shortest_wave_m != self.shortest_wave_m {
+            self.shortest_wave_m = shortest_wave_m;
+            changed += 1;
+        }
+        changed
     }
 
     pub(super) fn build(&self, tiling: &Tiling, seed: u64) -> Result<SeaSurface, SceneError> {
@@ -197,7 +244,7 @@ impl SpectralSettings {
                 Amplitudes::Gaussian => spectral::Amplitudes::Gaussian,
             },
         };
-        SpectralSea::new(parameters, spectra).map_err(|error| fitting::problem(self, &error))
+        SpectralSea::new(parameters, spectra).map_err(|error| fitting::problem(self, spectra, tiling, &error))
     }
 
     /// Where the sea of these settings bends what was asked for: one sentence each.
@@ -211,35 +258,66 @@ impl SpectralSettings {
             }
             let [asked_m, there_m] =
                 [1.0, captured].map(|part| significant_height_m(part * spectrum.variance_m2()));
+            let digits = if asked_m < 1.0 { 4 } else { 2 };
             Some(format!(
-                "sea.system[{index}]: its tiles carry {:.1} % of its energy, {there_m:.2} m of {asked_m:.2} m of \
-                 significant height: {}",
+                "sea.system[{index}]: its tiles carry {:.1} % of its energy, {there_m:.digits$} m of \
+                 {asked_m:.digits$} m of significant height: {}",
                 100.0 * captured,
-                fitting::remedy(self, sea, &Profile::of(&spectrum)),
+                fitting::remedy(self, &spectra, tiling, sea, &Profile::of(&spectrum)),
             ))
         };
-        let unusual = self.system.iter().zip(&spectra).enumerate().flat_map(|(index, (system, spectrum))| {
-            let warnings = system.warnings(&sea.parameters().water.dispersion, spectrum);
+        let dispersion = &sea.parameters().water.dispersion;
+        let of_one: Vec<Vec<String>> = self
+            .system
+            .iter()
+            .zip(&spectra)
+            .map(|(system, spectrum)| system.warnings(dispersion, spectrum))
+            .collect();
+        let of_sum = system::warnings_of_sum(&spectra, dispersion, &of_one.concat());
+        let of_sum = of_sum.into_iter().map(|warning| format!("sea.system, all together: {warning}"));
+        let unusual = of_one.into_iter().enumerate().flat_map(|(index, warnings)| {
             warnings.into_iter().map(move |warning| format!("sea.system[{index}]: {warning}"))
         });
-        let hurried = |(index, spectrum)| {
-            let loop_s = self.loop_s?;
-            let water = &sea.parameters().water;
-            let period_s = std::f64::consts::TAU
-                / water.dispersion.angular_frequency(Profile::of(spectrum).peak_wave_number());
-            // A frequency moves by half a turn to a loop.
-            let moved = 0.5 * period_s / loop_s;
-            (moved > LOOPED).then(|| {
-                format!(
-                    "loop_s = {loop_s}: to close, it changes the periods of sea.system[{index}] by up to {:.0} % at the \
-                     peak; loops of {:.0} s or more change them by less than {:.0} %",
-                    100.0 * moved,
-                    (0.5 * period_s / LOOPED).ceil(),
-                    100.0 * LOOPED
-                )
-            })
-        };
-        let hurried = spectra.iter().enumerate().filter_map(hurried);
-        Ok(unusual.chain(captured.enumerate().filter_map(lost)).chain(hurried).collect())
+        let looped = spectra.iter().enumerate().flat_map(|(index, spectrum)| {
+            let peak = Profile::of(spectrum).peak_wave_number();
+            self.looped(index, peak, &sea.parameters().water)
+        });
+        Ok(unusual.chain(of_sum).chain(captured.enumerate().filter_map(lost)).chain(looped).collect())
+    }
+
+    /// What the loop does to the waves of a system's peak and to the current that carries them: both come to whole
+    /// turns, so each moves by up to half a turn to a loop.
+    fn looped(&self, index: usize, peak: f64, water: &Water) -> Vec<String> {
+        let Some(loop_s) = self.loop_s else { return Vec::new() };
+        let period_s = TAU / water.dispersion.angular_frequency(peak);
+        let mut warnings = Vec::new();
+        let moved = 0.5 * period_s / loop_s;
+        if moved > LOOPED {
+            warnings.push(format!(
+                "loop_s = {loop_s}: to close, it changes the periods of sea.system[{index}] by up to {:.0} % at the \
+                 peak; loops of {:.0} s or more change them by less than {:.0} %",
+                100.0 * moved,
+                (0.5 * period_s / LOOPED).ceil(),
+                100.0 * LOOPED
+            ));
+        }
+        // Waves along the current, which it carries the furthest.
+        let turns_per_s = peak * self.current_mps / TAU;
+        let carried = turns_per_s * loop_s;
+        if carried > 0.0 && 0.5 / carried > LOOPED {
+            let what = match carried < 0.5 {
+                true => "takes the current from".to_owned(),
+                false => format!("changes the current by up to {:.0} % for", 50.0 / carried),
+            };
+            warnings.push(format!(
+                "loop_s = {loop_s}: to close, it {what} the waves of the peak of sea.system[{index}], which current_mps \
+                 = {} carries {carried:.2} of their lengths in a loop; loops of {:.0} s or more change it by less than \
+                 {:.0} %",
+                self.current_mps,
+                (0.5 / LOOPED / turns_per_s).ceil(),
+                100.0 * LOOPED
+            ));
+        }
+        warnings
     }
 }

@@ -20,7 +20,8 @@ pub(super) const DIFFERS: &[&str] =
 
 /// Four tiles of 256² samples reach from eight wavelengths of a storm's peak down to some decimetres. On two cores
 /// their transforms take a few milliseconds a tile, less than their pixels do on a software adapter.
-pub(super) const TILING: Tiling = Tiling { cascades: 4, resolution: 256 };
+pub(super) const TILING: Tiling =
+    Tiling { cascades: 4, resolution: 256, shortest_wave_m: Tiling::SHORTEST_WAVE_M };
 
 pub(super) const REGISTERED: Registered<Technique> = Registered {
     word: "spectral-ocean",

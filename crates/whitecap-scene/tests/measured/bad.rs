@@ -124,15 +124,20 @@ fn ww3() {
         "file:1: 30000000000 frequencies; accepted: 2 to 1000",
     );
     refuses("3     4     2", "3     2     2", "file:1: 2 directions; accepted: 3 to 1000");
-    refuses("3     4     2", "3     5     2", "file:5: found \"060000\"; accepted: the end of the line");
+    refuses("3     4     2", "3     5     2", "file:5: found \"20220912\"; accepted: directions in radians");
     refuses("3     4     2", "2     4     2", "file:4: found");
     refuses("3     4     2", "3     4     3", "file:12: found \"20220912 070000\"; accepted: a point");
     refuses("0.150E+00", "0.250E+00", "file:3: found \"0.2\"; accepted: frequencies");
     refuses("0.000E+00", "0.785E+00", "file:4: found \"a direction twice\"; accepted: different directions");
     refuses("0.000E+00", "*********", "file:4: found \"*********\"; accepted: directions in radians");
+    for outside in ["0.900E+02", "-.785E+00", "0.630E+01"] {
+        refuses("0.471E+01", outside, "file:4: found \"");
+    }
+    let degrees = "file:4: found \"45\"; accepted: directions in radians, from 0 to 2π";
+    refuses("0.785E+00  0.000E+00  0.471E+01  0.314E+01", "45.0  0.0  270.0  180.0", degrees);
     refuses("20220912 060000", "20220932 060000", "file:5: found \"20220932 060000\"; accepted: a time");
     refuses("'first     '", "'first      ", "file:6: found");
-    refuses("0.300E+01", "-.300E+01", "file:11: found \"-3\"; accepted: a density from 0");
+    refuses("0.300E+01", "-.300E+01", "file:10: found \"-3\"; accepted: a density from 0");
     refuses("0.300E+01", "NaN", "file:10: found \"NaN\"; accepted: densities");
     let half = &WW3[..WW3.rfind("'buoy").unwrap()];
     assert!(problem(half).contains("the file ends; wanted: a point"));
@@ -163,9 +168,9 @@ fn swan() {
     refuses("    90.0", "   360.0", "file:19: found \"a direction twice\"");
     refuses("VaDens", "AcDens", "file:22: found \"AcDens\"; accepted: VaDens or EnDens");
     refuses("20161011.0", "20161011 0", "file:25: found");
-    refuses("1.0E-03", "-1.0E-03", "file:30: found \"-");
-    refuses("1.0E-03", "1.0E+300", "file:30: found \"");
-    refuses("0  -99   20", "0  -98   20", "file:30: found \"-5");
+    refuses("1.0E-03", "-1.0E-03", "file:29: found \"-");
+    refuses("1.0E-03", "1.0E+300", "file:29: found \"");
+    refuses("0  -99   20", "0  -98   20", "file:29: found \"-5");
     refuses("0  -99   20    0", "0  -99   20", "file:31: found \"NODATA\"; accepted: densities, as integers");
     refuses("NODATA", "NOTHING", "file:31: found \"NOTHING\"; accepted: FACTOR, ZERO or NODATA");
     refuses("LONLAT", "LATLON", "file:5: found");

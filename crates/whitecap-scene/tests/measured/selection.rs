@@ -1,6 +1,6 @@
 //! Which record of a file is meant, and what to say if there is none.
 
-use whitecap_scene::measured::{Directions, Selection, Time, When, passed_over, select};
+use whitecap_scene::measured::{Directions, Energy, Selection, Time, When, passed_over, select};
 use whitecap_waves::dispersion::Dispersion;
 
 use super::*;
@@ -24,8 +24,17 @@ fn the_newest_with_waves_of_the_first_place() {
     // The newest has none.
     assert_eq!(chosen(WW3, Some("buoy 2"), When::Newest).unwrap(), "2 2022-09-12T06:00:00Z");
     assert_eq!(chosen(SWAN, None, When::Newest).unwrap(), "1 2016-10-11T00:00:00Z");
+    let calm = |text: &str| {
+        let seas = read(text);
+        let found = select(&seas, &Selection::default()).unwrap();
+        passed_over(&seas, found).map(|sea| (sea.time.unwrap().to_string(), sea.energy.clone()))
+    };
+    assert_eq!(calm(SWAN), Some(("2016-10-12T00:00:00Z".to_owned(), Energy::Calm)));
+    assert_eq!(calm(WW3), None);
     let calm = chosen("YYYY MM DD hh .1 .2\n2000 01 01 00 0 0\n2000 01 01 01 MM MM\n", None, When::Newest);
     assert_eq!(calm.unwrap_err(), "2 records are without waves: every value is missing or 0");
+    let calm = chosen("YYYY MM DD hh .1 .2\n2000 01 01 00 0 0\n", None, When::Newest);
+    assert_eq!(calm.unwrap_err(), "the only record is without waves: every value is missing or 0");
 }
 
 /// A set of files whose directions come later, or not at all, for some hours.

@@ -22,13 +22,12 @@ fn wind_sea(wind_speed_mps: f64) -> Phillips {
 }
 
 fn sea(cascades: Vec<Cascade>, spectrum: Phillips, water: Water) -> SpectralSea {
-    let parameters = SpectralSeaParameters {
-        cascades,
-        choppiness: 1.0,
-        water,
-        seed: 11,
-        amplitudes: Amplitudes::Gaussian,
-    };
+    choppy_sea(1.0, cascades, spectrum, water)
+}
+
+fn choppy_sea(choppiness: f64, cascades: Vec<Cascade>, spectrum: Phillips, water: Water) -> SpectralSea {
+    let parameters =
+        SpectralSeaParameters { cascades, choppiness, water, seed: 11, amplitudes: Amplitudes::Gaussian };
     SpectralSea::new(parameters, &[spectrum]).unwrap()
 }
 
@@ -87,6 +86,43 @@ fn a_query_is_the_direct_sum() {
             assert!(compared > 35, "{compared}");
             assert!(worst < bound_m, "Hs {height_m}: {worst}");
         }
+    }
+}
+
+/// The same on round, on sharp and on all but folding crests: the surface is drawn together by λ, the velocity of the
+/// water is without it, over a bottom as over deep water.
+#[test]
+fn a_query_is_the_direct_sum_for_any_choppiness() {
+    let spectrum = wind_sea(8.0);
+    let shallow = Water { dispersion: crate::dispersion::Dispersion::at_depth(6.0).unwrap(), ..Water::STILL };
+    for (choppiness, water) in [(0.0, shallow), (0.5, Water::STILL), (2.5, shallow), (4.0, Water::STILL)] {
+        let surface = choppy_sea(choppiness, Cascade::split(&[(260.0, 64), (31.0, 64)]), spectrum, water);
+        let height_m = significant_height_m(surface.variance_m2());
+        let bound_m = (1e-3 * height_m).max(1e-3);
+        let places = places(150);
+        let (mut worst, mut compared, mut steep) = (0.0_f64, 0, 0);
+        for (place, found) in places.iter().zip(surface.query(&places, 4.0).unwrap()) {
+            if found.jacobian < 0.25 {
+                continue; // the crest all but folds
+            }
+            let shift = |point: &SurfacePoint| DVec2::new(point.displacement_m.x, point.displacement_m.z);
+            let mut rest_m = place - shift(&found);
+            // Halfway each time, for troughs are drawn apart by more than once their length.
+            for _ in 0..20 {
+                rest_m += 0.5 * (place - rest_m - shift(&surface.sample(rest_m, 4.0)));
+            }
+            let expected = surface.sample(rest_m, 4.0);
+            worst = worst.max((found.height_m() - expected.height_m()).abs());
+            let speed = found.velocity_mps.distance(expected.velocity_mps);
+            assert!(
+                speed < 0.02 * expected.velocity_mps.length() + 4e-3 * height_m,
+                "λ {choppiness}: {speed}"
+            );
+            compared += 1;
+            steep += i32::from(found.jacobian < 0.5);
+        }
+        assert!(compared > 100 && (steep > 3 || choppiness < 3.0), "λ {choppiness}: {compared}, {steep}");
+        assert!(worst < bound_m, "λ {choppiness}: {worst} of {bound_m}");
     }
 }
 

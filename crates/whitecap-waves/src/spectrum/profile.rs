@@ -28,6 +28,17 @@ impl Profile {
         Self { energy_m2: (0..STEPS).map(energy).collect() }
     }
 
+    /// The profile of several systems together.
+    pub fn of_sum<S: WaveSpectrum>(systems: &[S]) -> Self {
+        let mut energy_m2 = vec![0.0; STEPS];
+        for system in systems {
+            for (sum, energy) in energy_m2.iter_mut().zip(Self::of(system).energy_m2) {
+                *sum += energy;
+            }
+        }
+        Self { energy_m2 }
+    }
+
     /// The variance of the waves of `band`, in m².
     pub fn variance_m2(&self, band: Band) -> f64 {
         self.integrate(band, |_| 1.0)
@@ -63,6 +74,18 @@ impl Profile {
             sum >= fraction * total
         });
         wave_number(found.unwrap_or(STEPS) as f64)
+    }
+
+    /// The k in rad/m beyond which there are no waves: less than a millionth of the mean square slope.
+    pub fn last_wave_number(&self) -> f64 {
+        let slopes = |i: usize| self.energy_m2[i] * wave_number(i as f64 + 0.5).powi(2);
+        let least = 1e-6 * (0..STEPS).map(slopes).sum::<f64>();
+        let mut beyond = 0.0;
+        let last = (0..STEPS).rev().find(|&i| {
+            beyond += slopes(i);
+            beyond > least
+        });
+        wave_number(last.map_or(STEPS, |last| last + 1) as f64)
     }
 
     fn integrate(&self, band: Band, weight: impl Fn(f64) -> f64) -> f64 {

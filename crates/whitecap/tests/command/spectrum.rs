@@ -103,7 +103,7 @@ fn a_tile_that_is_too_small_is_warned_of() {
     let name = scene(folder.path(), "tile_size_m = 45.0", &["wind_speed_mps = 9.0\nfrom_deg = 0.0"]);
     let told = stdout(&whitecap(folder.path()).args(["spectrum", name]).assert().success());
     let warning = "warning: sea.system[0]: its tiles carry ";
-    assert!(told.contains(warning) && told.contains("tile_size_m = 509 holds them"), "{told}");
+    assert!(told.contains(warning) && told.contains("sea.tile_size_m = 509 and sea.resolution = "), "{told}");
 }
 
 #[test]
@@ -114,6 +114,27 @@ fn people_get_a_table() {
     {
         assert!(told.contains(words), "{words} is missing from:\n{told}");
     }
+}
+
+/// A sea state, or a height by itself, has the wind of the fully developed sea; a swell has none, and says so.
+#[test]
+fn whitecaps_have_a_wind_or_a_reason() {
+    let folder = tempfile::tempdir().unwrap();
+    let tile = "tile_size_m = 600.0\nresolution = 256";
+    for said in ["sea_state = 5", "significant_height_m = 3.25"] {
+        let name = scene(folder.path(), tile, &[&format!("{said}\nfrom_deg = 0.0")]);
+        let found = spectrum(folder.path(), &[name]);
+        // 0.02133 U19.5²: 3.25 m at 12.34 m/s, 12.03 m/s at 10 m.
+        near(&found["wind_speed_mps"], 12.03, 0.01);
+        near(&found["whitecap_cover"], 3.84e-6 * 12.03_f64.powf(3.41), 1e-4);
+        let told = stdout(&whitecap(folder.path()).args(["spectrum", name]).assert().success());
+        assert!(told.contains("at 12.0 m/s, the wind of the fully developed sea"), "{told}");
+    }
+    let swell = "significant_height_m = 1.0\npeak_period_s = 10.0\nfrom_deg = 0.0";
+    let name = scene(folder.path(), tile, &[swell]);
+    assert_eq!(spectrum(folder.path(), &[name])["whitecap_cover"], Value::Null);
+    let told = stdout(&whitecap(folder.path()).args(["spectrum", name]).assert().success());
+    assert!(told.contains("no whitecap cover: no system says its wind"), "{told}");
 }
 
 #[test]

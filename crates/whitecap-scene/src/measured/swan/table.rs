@@ -1,5 +1,6 @@
 //! The table of one place at one time.
 
+use std::cell::Cell;
 use std::sync::Arc;
 
 use whitecap_waves::spectrum::tabulated::DirectionalMoments;
@@ -29,17 +30,19 @@ fn directional(
 ) -> Result<Energy, MeasuredError> {
     let scale = text.first_number("the factor")?;
     let count = header.frequencies_hz.len() * toward_rad.len();
-    let mut density = text.numbers(count, "densities, as integers")?;
     let [(Quantity::Density { factor }, exception)] = header.quantities[..] else {
         return Ok(Energy::Missing); // the header lets nothing else through
     };
-    let missing = |value: f64| is_exception(value, exception);
-    if density.iter().all(|value| missing(*value)) {
+    let some = Cell::new(false);
+    let density = text.numbers_that(count, "densities, as integers", |text, value| {
+        if is_exception(value, exception) {
+            return Ok(0.0);
+        }
+        some.set(true);
+        check(text, value * scale * factor)
+    })?;
+    if !some.get() {
         return Ok(Energy::Missing);
-    }
-    for value in &mut density {
-        *value = if missing(*value) { 0.0 } else { *value * scale * factor };
-        check(text, *value)?;
     }
     if density.iter().all(|value| *value == 0.0) {
         return Ok(Energy::Calm);
@@ -96,9 +99,9 @@ fn is_exception(value: f64, exception: f64) -> bool {
     (value - exception).abs() <= 1e-6 * exception.abs()
 }
 
-fn check(text: &Text<'_>, density: f64) -> Result<(), MeasuredError> {
+fn check(text: &Text<'_>, density: f64) -> Result<f64, MeasuredError> {
     if (0.0..=1e7).contains(&density) {
-        return Ok(());
+        return Ok(density);
     }
     Err(text.unexpected(&density.to_string(), "a density from 0 to 10000000 m²/(Hz rad)"))
 }

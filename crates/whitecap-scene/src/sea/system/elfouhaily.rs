@@ -29,8 +29,11 @@ table! {
         wind_speed_mps: Option<f64> = optional(asked::WIND, ANOTHER_WAY);
         /// The way over water that the wind has had, with `wind_speed_mps` or `beaufort`.
         fetch_km: Option<f64> = optional(asked::FETCH, "as far as waves grow");
-        /// The significant height, which is that of one wind.
+        /// The significant height.
         significant_height_m: Option<f64> = optional(asked::HEIGHT, ANOTHER_WAY);
+        /// The period of the spectrum's peak, with `significant_height_m`.
+        peak_period_s: Option<f64> =
+            optional(asked::PERIOD, "that of the wind that raises a fully developed sea of this height");
         /// The WMO's code for the state of the sea: its middle height.
         sea_state: Option<u32> = optional(asked::SEA_STATE, ANOTHER_WAY);
         /// The Beaufort number of the wind.
@@ -51,8 +54,8 @@ impl Parametric for ElfouhailySystem {
             beaufort: self.beaufort,
             fetch_km: self.fetch_km,
             significant_height_m: self.significant_height_m,
+            peak_period_s: self.peak_period_s,
             sea_state: self.sea_state,
-            ..Asked::default()
         }
     }
 
@@ -66,7 +69,10 @@ impl Parametric for ElfouhailySystem {
             Way::Wind { speed_mps, fetch_m: Some(fetch_m) } => {
                 Elfouhaily::from_wind_and_fetch(speed_mps, fetch_m)?
             }
-            Way::Height { height_m, .. } => Elfouhaily::from_height(height_m)?,
+            Way::Height { height_m, .. } => match self.peak_period_s {
+                Some(period_s) => Elfouhaily::from_height_and_period(height_m, period_s)?,
+                None => Elfouhaily::from_height(height_m)?,
+            },
         }))
     }
 }

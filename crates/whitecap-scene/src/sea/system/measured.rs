@@ -11,7 +11,7 @@ use whitecap_waves::statistics::significant_height_m;
 use super::{asked::HEIGHT, warnings};
 use crate::error::SceneError;
 use crate::key::{Count, File, Flag, Moment, Name, OneOf, Real, optional, or, required, table, words};
-use crate::measured::{self, Directions, MeasuredProblem, MeasuredSea, Selection, Time, When};
+use crate::measured::{self, Directions, Energy, MeasuredProblem, MeasuredSea, Selection, Time, When};
 use crate::reader::TableReader;
 
 words! {
@@ -121,7 +121,7 @@ impl MeasuredSystem {
         Some(significant_height_m(record.variance_m2()))
     }
 
-    /// Where the newest record is passed over because it lacks directions, where the energy between the file's
+    /// Where the newest record is passed over because it lacks waves or directions, where the energy between the file's
     /// frequencies is not what the file's own sum says, as with few of them, where its frequencies end among its waves,
     /// and where the water cannot carry them.
     pub(super) fn warnings(&self, spectrum: &dyn WaveSpectrum, water: &Dispersion) -> Vec<String> {
@@ -140,12 +140,23 @@ impl MeasuredSystem {
         if self.time.is_some() || self.record.is_some() {
             return None;
         }
-        let newer = measured::passed_over(seas, chosen)?;
-        let (lacking, newest, drawn) = (newer.lacking_directions()?, newer.time?, chosen.time?);
-        Some(format!(
-            "{lacking} has no directions of {newest}, the newest record; that of {drawn} is drawn, the newest with \
-             directions"
-        ))
+        let newest = measured::passed_over(seas, chosen)?;
+        let of = |sea: &MeasuredSea| sea.time.map(|time| format!(" of {time}")).unwrap_or_default();
+        let (newest_of, drawn_of) = (of(newest), of(chosen));
+        Some(match (newest.lacking_directions(), &newest.energy) {
+            (Some(lacking), _) => format!(
+                "{lacking} has no directions{newest_of}, the newest record; that{drawn_of} is drawn, the newest with \
+                 directions"
+            ),
+            (None, energy) => format!(
+                "{}: the newest record{newest_of} {}; that{drawn_of} is drawn, the newest with waves",
+                self.measured.display(),
+                match energy {
+                    Energy::Missing => "has no values, all are missing",
+                    _ => "is of a calm, all values are 0",
+                }
+            ),
+        })
     }
 
     fn resummed(&self, chosen: &MeasuredSea, spectrum: &dyn WaveSpectrum) -> Option<String> {

@@ -15,7 +15,9 @@ use std::path::PathBuf;
 
 use whitecap_waves::ParameterError;
 use whitecap_waves::dispersion::Dispersion;
-use whitecap_waves::spectrum::{Omnidirectional, WaveSpectrum};
+use whitecap_waves::spectrum::pierson_moskowitz::fully_developed_wind_mps;
+use whitecap_waves::spectrum::{Omnidirectional, Profile, WaveSpectrum};
+use whitecap_waves::statistics::significant_height_m;
 
 pub use elfouhaily::ElfouhailySystem;
 pub use jonswap::JonswapSystem;
@@ -25,7 +27,7 @@ pub use pierson_moskowitz::PiersonMoskowitzSystem;
 pub use spreading::{Spreading, SpreadingLaw};
 pub use tma::TmaSystem;
 
-use asked::Asked;
+use asked::{Asked, HEIGHT};
 use parametric::Parametric;
 
 use crate::error::SceneError;
@@ -141,6 +143,18 @@ impl System {
         }
     }
 
+    /// The wind that raises it: the one that it names, or that of the fully developed sea of its height; `None` where
+    /// it has a period of its own, as swell has, or was measured.
+    pub fn developed_wind_mps(&self) -> Option<f64> {
+        let Requested { significant_height_m, peak_period_s, wind_speed_mps, .. } = self.requested();
+        match (wind_speed_mps, self) {
+            (Some(wind), _) => Some(wind),
+            (None, Self::Measured(_)) => None,
+            (None, _) if peak_period_s.is_some() => None,
+            (None, _) => significant_height_m.map(fully_developed_wind_mps),
+        }
+    }
+
     /// What of it can be drawn but is not found at sea, in sentences without a full stop; empty for a usual sea.
     /// `spectrum` is the one that it [builds](Self::build).
     pub fn warnings(&self, dispersion: &Dispersion, spectrum: &dyn WaveSpectrum) -> Vec<String> {
@@ -149,10 +163,14 @@ impl System {
                 |_| Vec::new(),
                 |sea| {
                     let (height_m, period_s) = (sea.significant_height_m(), sea.peak_period_s());
-                    warnings::about(&system.asked(), height_m, period_s, system.gamma(), dispersion)
+                    let asked = system.asked();
+                    let mut warnings =
+                        warnings::about(&asked, height_m, period_s, system.gamma(), dispersion);
+                    warnings.extend(warnings::about_period(&asked, spectrum, dispersion));
+                    warnings
                 },
             ),
-            Form::Phillips(system) => system.warnings(dispersion),
+            Form::Phillips(system) => system.warnings(spectrum, dispersion),
             Form::Measured(system) => system.warnings(spectrum, dispersion),
         }
     }
@@ -182,6 +200,39 @@ impl System {
         }
         table.tagged(&TAG)
     }
+}
+
+/// Refuses systems that are together higher than one may be asked to be.
+pub(super) fn check_sum(spectra: &[Box<dyn WaveSpectrum>]) -> Result<(), SceneError> {
+    let height_m = height_of_sum_m(spectra);
+    if spectra.len() < 2 || height_m <= HEIGHT.max {
+        return Ok(());
+    }
+    let problem = format!(
+        "{height_m:.1} m of significant height together, as variances add; accepted: up to {} m",
+        HEIGHT.max
+    );
+    Err(SceneError::about_key("sea.system", problem))
+}
+
+/// What of several systems together is not found at sea, unless one of them alone was warned of the same: `of_one`.
+pub(super) fn warnings_of_sum(
+    spectra: &[Box<dyn WaveSpectrum>],
+    water: &Dispersion,
+    of_one: &[String],
+) -> Vec<String> {
+    if spectra.len() < 2 {
+        return Vec::new();
+    }
+    let peak = Profile::of_sum(spectra).peak_wave_number();
+    let mut warnings = warnings::about_waves(height_of_sum_m(spectra), peak, water, "");
+    let kind = |warning: &str| warning.split(':').next().unwrap_or_default().to_owned();
+    warnings.retain(|warning| of_one.iter().all(|other| kind(other) != kind(warning)));
+    warnings
+}
+
+fn height_of_sum_m(spectra: &[Box<dyn WaveSpectrum>]) -> f64 {
+    significant_height_m(spectra.iter().map(WaveSpectrum::variance_m2).sum())
 }
 
 /// A spectrum's own complaint, under the key that it is about.

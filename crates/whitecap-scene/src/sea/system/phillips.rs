@@ -56,10 +56,12 @@ impl PhillipsSystem {
         Ok(Box::new(spectrum))
     }
 
-    pub(super) fn warnings(&self, dispersion: &Dispersion) -> Vec<String> {
+    pub(super) fn warnings(&self, spectrum: &dyn WaveSpectrum, dispersion: &Dispersion) -> Vec<String> {
         let Ok((wind_speed_mps, height_m)) = self.wind_and_height() else { return Vec::new() };
         let period_s = wind_speed_mps / Phillips::wind_of_peak_period_mps(1.0);
-        warnings::about(&self.asked(), height_m, period_s, None, dispersion)
+        let mut warnings = warnings::about(&self.asked(), height_m, period_s, None, dispersion);
+        warnings.extend(warnings::about_period(&self.asked(), spectrum, dispersion));
+        warnings
     }
 
     pub(super) fn asked(&self) -> Asked {

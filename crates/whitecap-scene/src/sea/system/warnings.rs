@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use whitecap_waves::dispersion::Dispersion;
+use whitecap_waves::spectrum::WaveSpectrum;
 use whitecap_waves::spectrum::jonswap::fully_developed_fetch_m;
 
 use super::asked::{Asked, Way};
@@ -17,6 +18,9 @@ const HIGHEST_OVER_DEPTH: f64 = 0.6;
 /// Where on the way between JONSWAP's short fetches and the open ocean growth ends is not known to better than a
 /// factor: only beyond so many times the fetch of the fully developed sea is something said.
 const FULL_FETCHES: f64 = 2.0;
+
+/// How far the peak of a spectrum may lie from where it was asked to be before something is said.
+const MOVED: f64 = 0.03;
 
 /// What is unusual about a sea: how it was asked for, its significant height, its peak period and its γ.
 pub(super) fn about(
@@ -44,6 +48,27 @@ pub(super) fn about(
         }
     }
     warnings
+}
+
+/// Where the greatest S(ω) is not at the period that was asked for, as where a bottom or a cutoff takes the energy
+/// about the peak away.
+pub(super) fn about_period(asked: &Asked, spectrum: &dyn WaveSpectrum, water: &Dispersion) -> Option<String> {
+    const STEPS: u32 = 1500;
+    let (asked_s, _) = asked.peak_period_s.zip(Some(spectrum.variance_m2()).filter(|m0| *m0 > 0.0))?;
+    // From a quarter to four times the period, in steps of a fifth of a per cent.
+    let period_s = |i: u32| asked_s * (4.0 * f64::from(i) / f64::from(STEPS) - 2.0).exp2();
+    let density = |period_s: f64| {
+        let k = water.wave_number(TAU / period_s);
+        spectrum.omnidirectional_m3(k) / water.group_speed(k)
+    };
+    let found = (0..=STEPS).map(|i| (period_s(i), density(period_s(i)))).max_by(|a, b| a.1.total_cmp(&b.1));
+    let found_s = found.map_or(asked_s, |(period_s, _)| period_s);
+    ((found_s / asked_s - 1.0).abs() > MOVED).then(|| {
+        format!(
+            "peak_period_s = {asked_s}: the spectrum has its peak at {found_s:.2} s, as this depth, gamma or cutoff moves \
+             it"
+        )
+    })
 }
 
 /// What is unusual about waves of this significant height and wave number of the peak; `remedy` is what can be done about

@@ -73,14 +73,16 @@ impl Cascade {
     }
 
     /// Tiles for a sea of these systems: the first holds eight wavelengths of the longest peak, and as few more as
-    /// the budget allows reach down to its shortest wave; fewer waves where the budget does not reach so far.
+    /// the budget allows reach down to its shortest wave, or to that of the systems; fewer waves where the budget does not reach so far.
     ///
     /// Lengths are in a ratio that has no small whole multiple, so that the sum of tiles shows no repeat.
     pub fn plan<S: WaveSpectrum>(systems: &[S], budget: CascadeBudget) -> Vec<Self> {
         let first = budget.tile_size_m.unwrap_or_else(|| by_the_peak(systems));
         let n = budget.resolution;
         let waves_per_tile = n as f64 / SAMPLES_PER_WAVE;
-        let span = (first / (waves_per_tile * budget.shortest_wave_m)).max(1.0);
+        // Below the shortest wave that there is, a tile would be empty.
+        let shortest_m = budget.shortest_wave_m.max(TAU / Profile::of_sum(systems).last_wave_number());
+        let span = (first / (waves_per_tile * shortest_m)).max(1.0);
         let most = (waves_per_tile / LEAST_WAVES).max(1.5);
         let wanted = 1 + (span.ln() / most.ln()).ceil() as usize;
         let count = wanted.clamp(1, budget.cascades.clamp(1, Self::MOST));
@@ -165,6 +167,18 @@ mod tests {
         assert_eq!(short_of_money.len(), 2);
         let given = Cascade::plan(&[wind_sea(20.0)], CascadeBudget { tile_size_m: Some(77.0), ..BUDGET });
         assert_eq!(given[0].tile_size_m, 77.0);
+        // A spectrum with an end: no tile beneath it.
+        let cut = Phillips::new(PhillipsParameters {
+            wind_speed_mps: 10.0,
+            toward: DVec2::X,
+            significant_height_m: None,
+            opposing_energy: 0.0,
+            small_wave_cutoff_m: 1.0,
+        });
+        let cut = cut.unwrap();
+        let (ends, profile) = (Cascade::plan(&[cut], BUDGET), Profile::of(&cut));
+        assert!(ends.len() < Cascade::plan(&[wind_sea(10.0)], BUDGET).len(), "{ends:?}");
+        assert!(ends.iter().all(|tile| profile.variance_m2(tile.band) > 0.0), "{ends:?}");
         let flat: [Phillips; 0] = [];
         assert_eq!(Cascade::plan(&flat, BUDGET)[0].tile_size_m, 100.0);
     }

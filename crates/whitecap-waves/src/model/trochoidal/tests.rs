@@ -123,6 +123,27 @@ fn orbits_are_circles_that_a_bottom_flattens() {
     }
 }
 
+/// The water moves as it is drawn at λ = 1, forward over the crest and on orbits that a bottom flattens; λ is of the
+/// drawing alone.
+#[test]
+fn velocity_is_the_rate_of_displacement() {
+    for depth_m in [f64::INFINITY, 5.0] {
+        let dispersion = Dispersion::at_depth(depth_m).unwrap();
+        let drawn = sea(TrochoidalParameters { waves: 9, dispersion, ..PARAMETERS });
+        for choppiness in [0.0, 1.0, 1.7] {
+            let sea = sea(TrochoidalParameters { waves: 9, dispersion, choppiness, ..PARAMETERS });
+            for i in 0..8 {
+                let (rest, time_s, step_s) =
+                    (DVec2::new(11.0 * f64::from(i), -7.0), 1.3 * f64::from(i), 1e-3);
+                let at = |time_s| drawn.sample(rest, time_s).displacement_m;
+                let rate = (at(time_s + step_s) - at(time_s - step_s)) / (2.0 * step_s);
+                let off = sea.sample(rest, time_s).velocity_mps.distance(rate);
+                assert!(off < 1e-5, "{depth_m} m deep, λ {choppiness}: {off}");
+            }
+        }
+    }
+}
+
 /// Seen from above the mean level is lower: the mean over rest points of height × J.
 #[test]
 fn the_mean_level_is_set_down() {

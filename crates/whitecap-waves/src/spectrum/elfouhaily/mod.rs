@@ -41,6 +41,9 @@ pub(crate) const SLOWEST_MPS: f64 = 0.23;
 /// Ω of the fully developed sea.
 pub const FULLY_DEVELOPED: f64 = 0.84;
 
+/// ω of the greatest S(ω) of the fully developed sea over that of kp, while the peak is far from the ripples.
+const DENSEST: f64 = 1.036_76;
+
 /// Elfouhaily's spectrum; see the [module](self).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Elfouhaily {
@@ -122,6 +125,26 @@ impl Elfouhaily {
             if Self::from_wind(middle)?.variance_m2 < asked { low = middle } else { high = middle }
         }
         let sea = Self::from_wind(high)?;
+        let factor = asked / sea.variance_m2;
+        Ok(Self { long: factor * sea.long, short: factor * sea.short, variance_m2: asked, ..sea })
+    }
+
+    /// The shape of the fully developed sea whose greatest S(ω) is at `peak_period_s`, 0.1 to 60 s, as high as asked for,
+    /// 0..=100 m: that of the wind U = Ω cp, Ω = 0.84.
+    ///
+    /// # Errors
+    ///
+    /// If one of them is out of its range.
+    pub fn from_height_and_period(
+        significant_height_m: f64,
+        peak_period_s: f64,
+    ) -> Result<Self, ParameterError> {
+        check("significant_height_m", significant_height_m, "from 0 to 100", |h| (0.0..=100.0).contains(&h))?;
+        check("peak_period_s", peak_period_s, "from 0.1 to 60", |t| (0.1..=60.0).contains(&t))?;
+        let peak = wave_number(std::f64::consts::TAU / (DENSEST * peak_period_s));
+        // kp = g (Ω/U)².
+        let sea = Self::from_wind((GRAVITY_MPS2 / peak).sqrt() * FULLY_DEVELOPED)?;
+        let asked = variance_of_height_m2(significant_height_m);
         let factor = asked / sea.variance_m2;
         Ok(Self { long: factor * sea.long, short: factor * sea.short, variance_m2: asked, ..sea })
     }

@@ -85,3 +85,21 @@ fn no_density_is_negative_or_infinite() {
     }
     assert!(Elfouhaily::from_wind(0.0).is_err() && Elfouhaily::from_wind_and_age(10.0, 9.0).is_err());
 }
+
+#[test]
+fn by_height_and_period() {
+    for (height_m, period_s) in [(0.1, 2.0), (2.0, 8.0), (1.0, 14.0)] {
+        let sea = Elfouhaily::from_height_and_period(height_m, period_s).unwrap();
+        assert!((sea.significant_height_m() / height_m - 1.0).abs() < 1e-12);
+        assert_eq!(sea.inverse_wave_age(), FULLY_DEVELOPED);
+        let m0 = integral(sea.peak_angular_frequency(), |omega| sea.density_m2s(omega));
+        assert!((m0 / sea.variance_m2() - 1.0).abs() < 1e-7, "{period_s}");
+        let densest = (0..4000)
+            .map(|i| std::f64::consts::TAU / period_s * (0.8 + 1e-4 * f64::from(i)))
+            .max_by(|a, b| sea.density_m2s(*a).total_cmp(&sea.density_m2s(*b)));
+        let found_s = std::f64::consts::TAU / densest.unwrap();
+        assert!((found_s / period_s - 1.0).abs() < 1e-3, "{found_s}");
+    }
+    assert!(Elfouhaily::from_height_and_period(1.0, 0.0).is_err());
+    assert!(Elfouhaily::from_height_and_period(-1.0, 8.0).is_err());
+}

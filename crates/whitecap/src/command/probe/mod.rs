@@ -91,8 +91,8 @@ pub(crate) struct Probe {
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     output: Option<PathBuf>,
 
-    /// Print a JSON list with x_m, z_m, time_s, height_m, displacement_m and normal of each place; for --uv
-    /// with u, v, time_s, height and normal. If it must end early, its last entry has the key error
+    /// Print a JSON list with x_m, z_m, time_s, height_m, displacement_m, normal and velocity_mps of each place; for
+    /// --uv with u, v, time_s, height and normal. If it must end early, its last entry has the key error
     #[arg(long)]
     pub(crate) json: bool,
 

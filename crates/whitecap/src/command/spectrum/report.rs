@@ -24,6 +24,9 @@ pub(super) struct Report<'a> {
     cascades: Vec<Cascade>,
     mean_square_slope: Slopes,
     wind_speed_mps: Option<f64>,
+    /// Whether a system names the wind, or a height implies it.
+    #[serde(skip)]
+    is_wind_named: bool,
     /// Expected at that wind.
     whitecap_cover: Option<f64>,
     warnings: Vec<String>,
@@ -58,7 +61,7 @@ impl<'a> Report<'a> {
         surface: &SeaSurface,
     ) -> Self {
         let theory_numbers = theory.map(|theory| Numbers::of(&theory.statistics()));
-        let wind_speed_mps = scene.sea.wind_speed_mps();
+        let wind_speed_mps = scene.sea.developed_wind_mps();
         let mut report = Self {
             scene: name,
             model: scene.sea.model.word(),
@@ -74,6 +77,7 @@ impl<'a> Report<'a> {
                 total: theory_numbers.and_then(|numbers| numbers.mean_square_slope),
             },
             wind_speed_mps,
+            is_wind_named: scene.sea.wind_speed_mps() == wind_speed_mps,
             whitecap_cover: wind_speed_mps.map(whitecap_cover),
             warnings: scene.warnings.clone(),
         };
@@ -133,7 +137,20 @@ impl<'a> Report<'a> {
             let _ = writeln!(text, "the surface has {share:.0} % of the mean square slope");
         }
         if let (Some(cover), Some(wind)) = (self.whitecap_cover, self.wind_speed_mps) {
-            let _ = writeln!(text, "whitecaps cover {:.2} % of the sea at {wind} m/s", 100.0 * cover);
+            let cover = 100.0 * cover;
+            let _ = match self.is_wind_named {
+                true => writeln!(text, "whitecaps cover {cover:.2} % of the sea at {wind} m/s"),
+                false => writeln!(
+                    text,
+                    "whitecaps cover {cover:.2} % of the sea at {wind:.1} m/s, the wind of the fully developed sea of \
+                     this height"
+                ),
+            };
+        } else if self.theory.is_some() {
+            let _ = writeln!(
+                text,
+                "no whitecap cover: no system says its wind, as measured ones and swell do not"
+            );
         }
         for warning in &self.warnings {
             let _ = writeln!(text, "warning: {warning}");
