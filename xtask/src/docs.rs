@@ -32,7 +32,9 @@ pub(crate) fn run() -> Result<()> {
             process::say(&path);
         }
     }
-    classics(&whitecap)?;
+    for (sheet, scenes) in SHEETS {
+        contact_sheet(&whitecap, sheet, scenes)?;
+    }
     const CHART: &str = "docs/images/spectrum.png";
     product::ask(&mut product::command(&whitecap, &["spectrum", "spectral-ocean", "-o", CHART]))?;
     process::say(CHART);
@@ -43,20 +45,38 @@ pub(crate) fn run() -> Result<()> {
     Ok(())
 }
 
-/// The contact sheet that the README shows: a scene of each classic technique.
-fn classics(whitecap: &Path) -> Result<()> {
-    const SHEET: &str = "docs/images/classics.png";
-    const SCENES: [&str; 6] =
-        ["ocean-water", "ocean-water-shore", "rippling-lake", "projected-grid", "meshuggah", "five-sample"];
-    let folder = Path::new("out").join("classics-for-docs");
+/// The contact sheets that the README shows: our ocean's scenes, and one or two of each classic technique.
+const SHEETS: [(&str, &[&str]); 2] = [
+    (
+        "docs/images/ocean.png",
+        &[
+            "spectral-ocean",
+            "spectral-ocean-storm",
+            "spectral-ocean-swell",
+            "spectral-ocean-shallow",
+            "spectral-ocean-dawn",
+            "spectral-ocean-crossing",
+            "spectral-ocean-tropical",
+            "spectral-ocean-aircraft",
+            "spectral-ocean-buoy",
+        ],
+    ),
+    (
+        "docs/images/classics.png",
+        &["ocean-water", "ocean-water-shore", "rippling-lake", "projected-grid", "meshuggah", "five-sample"],
+    ),
+];
+
+/// Writes the contact sheet of `scenes` into the file `sheet`.
+fn contact_sheet(whitecap: &Path, sheet: &str, scenes: &[&str]) -> Result<()> {
+    let folder = Path::new("out").join("sheet-for-docs");
     std::fs::create_dir_all("out").context("cannot make the folder out")?;
     let folder_name = folder.to_string_lossy();
-    let arguments =
-        [&["gallery", "-o", &folder_name, "--size", "640x360", "--runs", "0"], &SCENES[..]].concat();
+    let arguments = [&["gallery", "-o", &folder_name, "--size", "640x360", "--runs", "0"], scenes].concat();
     product::ask(&mut product::command(whitecap, &arguments))?;
-    std::fs::copy(folder.join("contact-sheet.png"), SHEET)
-        .with_context(|| format!("cannot write {SHEET}"))?;
-    process::say(SHEET);
+    std::fs::copy(folder.join("contact-sheet.png"), sheet)
+        .with_context(|| format!("cannot write {sheet}"))?;
+    process::say(sheet);
     Ok(())
 }
 
