@@ -92,7 +92,19 @@ impl Tiling {
         let shortest_wave_m = Self::SHORTEST_WAVE_M.max(Self::SHORTEST_OF_HEIGHT * height_m);
         Self { shortest_wave_m, ..self }
     }
+
+    /// What its view shows of these spectra, but no longer than leaves [`WHOLE`] of each of them.
+    fn shortest_wave_of(&self, spectra: &[Box<dyn WaveSpectrum>]) -> f64 {
+        if self.shortest_wave_m <= Self::SHORTEST_WAVE_M {
+            return self.shortest_wave_m;
+        }
+        let whole_m = |spectrum| TAU / Profile::of(spectrum).wave_number_below(WHOLE);
+        spectra.iter().map(whole_m).fold(self.shortest_wave_m, f64::min).max(Self::SHORTEST_WAVE_M)
+    }
 }
+
+/// Of a system's energy, what tiles carry whatever the view.
+const WHOLE: f64 = 0.995;
 
 /// A loop that changes the period of a peak by more than this share is worth a warning.
 const LOOPED: f64 = 0.05;
@@ -186,7 +198,7 @@ impl SpectralSettings {
                 spectra,
                 CascadeBudget {
                     tile_size_m: self.tile_size_m,
-                    shortest_wave_m: self.shortest_wave_m.unwrap_or(tiling.shortest_wave_m),
+                    shortest_wave_m: self.shortest_wave_m.unwrap_or_else(|| tiling.shortest_wave_of(spectra)),
                     cascades: self.cascades.unwrap_or(tiling.cascades) as usize,
                     resolution: self.resolution.unwrap_or(tiling.resolution) as usize,
                 },
