@@ -2,13 +2,15 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper of tests may fail as a test may")]
 
+use std::f64::consts::TAU;
 use std::path::Path;
 
 use whitecap_scene::sea::system::System;
 use whitecap_scene::sea::{SeaModel, SeaSurface};
 use whitecap_scene::{Scene, SceneError};
 use whitecap_waves::model::Surface;
-use whitecap_waves::statistics::significant_height_m;
+use whitecap_waves::model::{TileFields, WaveModel};
+use whitecap_waves::statistics::{Moments, significant_height_m};
 
 /// Hs = 4√(0.01 · (½·1 + 4 + ½·2)) by trapezoids = 0.938 m, and an hour before half as high.
 const HISTORY: &str = "\
@@ -172,6 +174,90 @@ fn seas_that_cannot_be_are_refused_or_warned_of() {
     ] {
         let said = opened(BANDS, densities, water);
         assert!(said.contains(expected) && said.contains("sea.system[0]"), "{said}");
+    }
+}
+
+/// Densities of a wind sea of 2 m and 8 s over these frequencies.
+fn wind_sea_m2phz(frequencies_hz: &[f64]) -> Vec<f64> {
+    let sea = whitecap_waves::spectrum::jonswap::Jonswap::from_height_and_period(2.0, 8.0, 3.3).unwrap();
+    let density = |hz: &f64| TAU * whitecap_waves::spectrum::Omnidirectional::density_m2s(&sea, TAU * hz);
+    frequencies_hz.iter().map(density).collect()
+}
+
+/// A file of each format, with as many frequencies as theirs have: the surface that is drawn has the height that the file has
+/// by its makers' own sum, to 1 %.
+#[test]
+fn surfaces_have_the_height_of_their_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: String| std::fs::write(folder.path().join(name), text).unwrap();
+    let words = |values: &[f64]| values.iter().map(|value| format!(" {value:.6}")).collect::<String>();
+    let bands: Vec<f64> = (2..=48).map(|i| 0.01 * f64::from(i)).collect();
+    let density = wind_sea_m2phz(&bands);
+    write("history.txt", format!("YYYY MM DD hh mm{}\n2020 06 08 03 50{}\n", words(&bands), words(&density)));
+    let pairs = |values: &[f64]| {
+        values.iter().zip(&bands).map(|(value, hz)| format!(" {value:.6} ({hz:.3})")).collect::<String>()
+    };
+    write(
+        "buoy.data_spec",
+        format!("#YY MM DD hh mm Sep_Freq < spec_1\n2020 06 08 03 50 0.2{}\n", pairs(&density)),
+    );
+    for (extension, head, value) in [
+        ("swdir", "alpha1_1", 250.0),
+        ("swdir2", "alpha2_1", 250.0),
+        ("swr1", "r1_1", 0.8),
+        ("swr2", "r2_1", 0.5),
+    ] {
+        let values = vec![value; bands.len()];
+        write(
+            &format!("buoy.{extension}"),
+            format!("#YY MM DD hh mm {head}\n2020 06 08 03 50{}\n", pairs(&values)),
+        );
+    }
+    let steps: Vec<f64> = (0..36).map(|i| 0.035 * 1.08_f64.powi(i)).collect();
+    let toward: Vec<f64> = (0..24).map(|i| TAU * f64::from(i) / 24.0).collect();
+    let shape: Vec<f64> = toward.iter().map(|toward| (1.0 + toward.cos()).powi(4)).collect();
+    let all: f64 = shape.iter().sum::<f64>() * TAU / 24.0;
+    // Frequencies run fastest.
+    let table: Vec<f64> = shape
+        .iter()
+        .flat_map(|share| wind_sea_m2phz(&steps).into_iter().map(move |s| s * share / all))
+        .collect();
+    write(
+        "points.spec",
+        format!(
+            "'WAVEWATCH III SPECTRA'     36    24     1 'one point'\n{}\n{}\n20200608 030000\n\
+             'buoy      '  40.98-171.12      46.6   1.45 225.6   0.18  94.1\n{}\n",
+            words(&steps),
+            words(&toward),
+            table.iter().map(|value| format!(" {value:.6e}")).collect::<String>()
+        ),
+    );
+    for (file, more) in [
+        ("history.txt", "from_deg = 250.0"),
+        ("buoy.data_spec", ""),
+        ("points.spec", ""),
+        ("named:buoy.spec", ""),
+    ] {
+        let scene = folder.path().join("scene.toml");
+        let text = format!(
+            "technique = \"spectral-ocean\"\n[[sea.system]]\nmeasured = \"{file}\"\n{more}\n{CAMERA}"
+        );
+        std::fs::write(&scene, text).unwrap();
+        let scene = Scene::load(&scene).unwrap();
+        let path =
+            if file.starts_with("named:") { Path::new(file).to_owned() } else { folder.path().join(file) };
+        let record = &whitecap_scene::measured::load(&path).unwrap()[0];
+        let own_m = significant_height_m(record.variance_m2());
+        let whitecap_scene::sea::SeaSurface::Spectral(mut sea) = scene.sea.build(scene.seed).unwrap() else {
+            panic!("another sea")
+        };
+        let mut fields = TileFields::default();
+        let drawn = sea.tiles_mut().iter_mut().map(|tile| {
+            tile.evaluate(12.5, &mut fields);
+            Moments::of(&fields.height).variance
+        });
+        let drawn_m = significant_height_m(drawn.sum());
+        assert!((drawn_m / own_m - 1.0).abs() < 0.01, "{file}: {drawn_m} m of {own_m} m");
     }
 }
 

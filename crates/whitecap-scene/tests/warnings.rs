@@ -123,3 +123,23 @@ fn advice_about_tiles_can_be_followed() {
         assert_eq!(warnings(&changed.join("; "), systems), Vec::<String>::new(), "{keys}: {told}");
     }
 }
+
+/// 50 m/s over the open sea.
+#[test]
+fn seas_higher_than_any_that_was_measured() {
+    let hurricane = "spectrum = 'pierson-moskowitz'; wind_speed_mps = 50";
+    one("", &[hurricane], &["higher than any sea that was measured: 56.", "had 19 m"]);
+    assert_eq!(warnings("", &["spectrum = 'pierson-moskowitz'; wind_speed_mps = 28"]), Vec::<String>::new());
+}
+
+/// Waves of 8 s bring their energy by 6.2 m/s, and the longest of the peak a little faster.
+#[test]
+fn currents_that_no_waves_run_against() {
+    let words = ["current_mps = 7", "sea.system[0] with 7.0 m/s", "6.3 m/s"];
+    one("current_mps = 7.0; current_toward_deg = 270.0", &[SWELL], &words);
+    for with in
+        ["current_mps = 7.0; current_toward_deg = 90.0", "current_mps = 5.0; current_toward_deg = 270.0"]
+    {
+        assert_eq!(warnings(with, &[SWELL]), Vec::<String>::new());
+    }
+}

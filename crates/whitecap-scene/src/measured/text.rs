@@ -116,12 +116,12 @@ impl<'a> Text<'a> {
         Ok(())
     }
 
-    /// Checks that frequencies in Hz ascend and are of waves.
+    /// Checks that frequencies in Hz ascend and are of waves: from 60 km to less than a millimetre, what the sea is made of.
     pub(super) fn ascending(&self, frequencies_hz: &[f64]) -> Result<(), MeasuredError> {
         let mut below = 0.0;
         for &hz in frequencies_hz {
-            if !(1e-4..=100.0).contains(&hz) || hz <= below {
-                return Err(self.unexpected(&hz.to_string(), "frequencies from 0.0001 to 100 Hz, ascending"));
+            if !(0.005..=50.0).contains(&hz) || hz <= below {
+                return Err(self.unexpected(&hz.to_string(), "frequencies from 0.005 to 50 Hz, ascending"));
             }
             below = hz;
         }

@@ -290,11 +290,34 @@ impl SpectralSettings {
         let unusual = of_one.into_iter().enumerate().flat_map(|(index, warnings)| {
             warnings.into_iter().map(move |warning| format!("sea.system[{index}]: {warning}"))
         });
+        let against =
+            spectra.iter().zip(&self.system).enumerate().filter_map(|(index, (spectrum, system))| {
+                let peak = Profile::of(spectrum).peak_wave_number();
+                self.against_the_current(index, system.requested().from_deg?, peak, &sea.parameters().water)
+            });
         let looped = spectra.iter().enumerate().flat_map(|(index, spectrum)| {
             let peak = Profile::of(spectrum).peak_wave_number();
             self.looped(index, peak, &sea.parameters().water)
         });
-        Ok(unusual.chain(of_sum).chain(captured.enumerate().filter_map(lost)).chain(looped).collect())
+        Ok(unusual
+            .chain(of_sum)
+            .chain(captured.enumerate().filter_map(lost))
+            .chain(looped)
+            .chain(against)
+            .collect())
+    }
+
+    /// Waves whose energy a current that sets against them carries back: none could have come.
+    fn against_the_current(&self, index: usize, from_deg: f64, peak: f64, water: &Water) -> Option<String> {
+        let angle = (self.current_toward_deg - from_deg).to_radians();
+        let (against_mps, group_mps) = (self.current_mps * angle.cos(), water.dispersion.group_speed(peak));
+        (against_mps > group_mps).then(|| {
+            format!(
+                "current_mps = {}: it sets against sea.system[{index}] with {against_mps:.1} m/s, faster than the energy of \
+                 its peak runs, {group_mps:.1} m/s; no such waves come against it",
+                self.current_mps
+            )
+        })
     }
 
     /// What the loop does to the waves of a system's peak and to the current that carries them: both come to whole

@@ -15,6 +15,10 @@ const SHARPEST: f64 = 7.0;
 /// (Nelson, *Appl. Ocean Res.* 16, 1994, finds 0.55 for single waves on a level bottom).
 const HIGHEST_OVER_DEPTH: f64 = 0.6;
 
+/// The highest significant height that an instrument has measured: a buoy between Iceland and Britain in February 2013 (World
+/// Meteorological Organization, 2016).
+const HIGHEST_M: f64 = 19.0;
+
 /// Where on the way between JONSWAP's short fetches and the open ocean growth ends is not known to better than a
 /// factor: only beyond so many times the fetch of the fully developed sea is something said.
 const FULL_FETCHES: f64 = 2.0;
@@ -79,8 +83,16 @@ pub(super) fn about_waves(height_m: f64, wave_number: f64, water: &Dispersion, r
     let highest_m = steepest(TAU / water.angular_frequency(wave_number)) * length_m;
     if height_m > highest_m {
         warnings.push(format!(
-            "steeper than a sea can be: {height_m:.2} m of significant height on waves {length_m:.1} m long; up to \
-             {highest_m:.2} m would not break all at once{remedy}"
+            "steeper than a sea can be: {} m of significant height on waves {} m long; up to {} m would not break all \
+             at once{remedy}",
+            metres(height_m, 2),
+            metres(length_m, 1),
+            metres(highest_m, 2)
+        ));
+    }
+    if height_m > HIGHEST_M {
+        warnings.push(format!(
+            "higher than any sea that was measured: {height_m:.1} m of significant height; the highest had {HIGHEST_M} m"
         ));
     }
     if height_m > HIGHEST_OVER_DEPTH * water.depth_m() {
@@ -92,6 +104,13 @@ pub(super) fn about_waves(height_m: f64, wave_number: f64, water: &Dispersion, r
         ));
     }
     warnings
+}
+
+/// So many decimals, or below a metre three digits.
+fn metres(length_m: f64, decimals: usize) -> String {
+    let digits = 2.0 - length_m.max(1e-9).log10().floor();
+    let decimals = if length_m < 1.0 { digits as usize } else { decimals };
+    format!("{length_m:.decimals$}")
 }
 
 /// The greatest significant height over the length of the peak's waves: 1/15 up to 8 s, 1/25 from 15 s, linear
