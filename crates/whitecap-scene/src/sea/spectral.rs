@@ -290,14 +290,14 @@ impl SpectralSettings {
         let unusual = of_one.into_iter().enumerate().flat_map(|(index, warnings)| {
             warnings.into_iter().map(move |warning| format!("sea.system[{index}]: {warning}"))
         });
-        let against =
-            spectra.iter().zip(&self.system).enumerate().filter_map(|(index, (spectrum, system))| {
-                let peak = Profile::of(spectrum).peak_wave_number();
-                self.against_the_current(index, system.requested().from_deg?, peak, &sea.parameters().water)
-            });
-        let looped = spectra.iter().enumerate().flat_map(|(index, spectrum)| {
-            let peak = Profile::of(spectrum).peak_wave_number();
-            self.looped(index, peak, &sea.parameters().water)
+        let water = &sea.parameters().water;
+        // What only loops and currents bend.
+        let is_moved = self.loop_s.is_some() || self.current_mps > 0.0;
+        let moved = if is_moved { spectra.as_slice() } else { &[] };
+        let peaks: Vec<f64> = moved.iter().map(|spectrum| Profile::of(spectrum).peak_wave_number()).collect();
+        let looped = peaks.iter().enumerate().flat_map(|(index, peak)| self.looped(index, *peak, water));
+        let against = peaks.iter().zip(&self.system).enumerate().filter_map(|(index, (peak, system))| {
+            self.against_the_current(index, system.requested().from_deg?, *peak, water)
         });
         Ok(unusual
             .chain(of_sum)
