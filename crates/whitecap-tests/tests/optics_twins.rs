@@ -25,6 +25,8 @@ struct Input {
     depth_m: f32,
     mean_slope: [f32; 2],
     padding: [f32; 2],
+    whole_sea: [f32; 3],
+    end: u32,
 }
 
 /// Layout twin of `OpticsOutput`.
@@ -78,6 +80,10 @@ fn inputs() -> Vec<Input> {
                 depth_m: (2.0 * f64::from(view % 7)) as f32,
                 mean_slope: mean.as_vec2().to_array(),
                 padding: [0.0; 2],
+                // A pixel resolves a part of it.
+                whole_sea: [2.0 * variance as f32 + 0.01, 0.0, variance as f32 + 0.004]
+                    .map(|c| if sea % 2 == 0 { c } else { 0.0 }),
+                end: 0,
             });
         }
     }
@@ -118,9 +124,11 @@ fn the_seas_optics_on_the_gpu_equal_the_cpus() {
         let (eye, sun) = (wide(input.toward_eye), wide(input.toward_sun));
         let [xx, xz, zz] = input.covariance.map(f64::from);
         let mean = glam::Vec2::from(input.mean_slope).as_dvec2();
+        let [sea_xx, sea_xz, sea_zz] = input.whole_sea.map(f64::from);
+        let whole_sea = SlopeCovariance { xx: sea_xx, xz: sea_xz, zz: sea_zz };
         let slopes = Slopes { mean, covariance: SlopeCovariance { xx, xz, zz } };
-        let facets = visible_facets(&slopes, eye, n);
-        let reflection = sea_reflection(&slopes, &facets, eye, n);
+        let facets = visible_facets(&slopes, whole_sea, eye, n);
+        let reflection = sea_reflection(&facets, eye, n);
         assert_near(output.mean_fresnel, facets.mean_fresnel, 2e-5, "mean_fresnel", input);
         assert!(wide(output.normal).distance(facets.normal) < 1e-4);
         for (i, tap) in reflection.taps.iter().enumerate() {

@@ -49,6 +49,8 @@ pub(super) struct GpuWaters {
     pub(super) light: GpuWaterLight,
     pub(super) slopes_beyond: [f32; 3],
     pub(super) depth_m: f32,
+    pub(super) slopes_whole: [f32; 3],
+    pub(super) gap: u32,
     pub(super) sun_klx: [f32; 3],
     pub(super) padding: u32,
     pub(super) sky_klx: [f32; 3],

@@ -198,6 +198,8 @@ fn waters(
     GpuWaters {
         light: GpuWaterLight::from(&light_below),
         slopes_beyond: roughness.beyond.to_array(),
+        slopes_whole: roughness.whole.to_array(),
+        gap: 0,
         depth_m: build.scene.sea.depth_m().unwrap_or(BOTTOMLESS_M) as f32,
         sun_klx: sun_klx.to_array(),
         padding: 0,

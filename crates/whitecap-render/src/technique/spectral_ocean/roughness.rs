@@ -19,6 +19,8 @@ pub(super) struct Roughness {
     pub(super) tiles: Vec<Vec3>,
     /// Of waves beyond the last band: the variances and the covariance of slope.
     pub(super) beyond: Vec3,
+    /// Of all waves.
+    pub(super) whole: Vec3,
     /// How sharp the crests of the longest band are: the root of its variance of slope over that of height, 1/m.
     pub(super) crest_wavenumber_per_m: f64,
 }
@@ -34,10 +36,12 @@ impl Roughness {
             return Ok(Roughness {
                 tiles: vec![shape(SlopeVariance::default()); bands.len()],
                 beyond: Vec3::ZERO,
+                whole: Vec3::ZERO,
                 crest_wavenumber_per_m: 1.0,
             });
         };
         let last = bands.iter().map(|band| band.to).fold(0.0, f64::max);
+        let tiles: Vec<SlopeVariance> = bands.iter().map(|band| spectrum.within(*band).1).collect();
         let beyond = match last < SHORTEST {
             true => spectrum.within(Band { from: last, to: SHORTEST }).1,
             false => SlopeVariance::default(),
@@ -46,7 +50,8 @@ impl Roughness {
         let (variance_m2, slope) = longest.unwrap_or_default();
         Ok(Roughness {
             crest_wavenumber_per_m: (slope.total() / variance_m2.max(1e-12)).sqrt().max(1e-3),
-            tiles: bands.iter().map(|band| shape(spectrum.within(*band).1)).collect(),
+            whole: tiles.iter().map(|tile| tensor(*tile)).sum::<Vec3>() + tensor(beyond),
+            tiles: tiles.into_iter().map(shape).collect(),
             beyond: tensor(beyond),
         })
     }
@@ -87,6 +92,7 @@ mod tests {
             assert!(shape.x > 0.55 && shape.y.abs() < 1e-3, "{shape}");
         }
         assert!(west.beyond.x > west.beyond.z && west.beyond.z > 0.0, "{}", west.beyond);
+        assert!((f64::from(west.whole.x + west.whole.z) / whole - 1.0).abs() < 0.01, "{}", west.whole);
         // What is beyond decimetres is a good part of all slopes, and not most of them.
         let share = f64::from(west.beyond.x + west.beyond.z) / whole;
         assert!((0.1..0.7).contains(&share), "{share}");

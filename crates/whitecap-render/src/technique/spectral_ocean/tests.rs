@@ -24,7 +24,7 @@ fn rust_and_wgsl_agree_about_layout() {
         GpuWaters,
         wgsl,
         "GpuWaters",
-        [light, slopes_beyond, depth_m, sun_klx, sky_klx, sun_radius_rad, toward_sun]
+        [light, slopes_beyond, depth_m, slopes_whole, sun_klx, sky_klx, sun_radius_rad, toward_sun]
     );
     assert_layout!(
         GpuCascade,

@@ -24,8 +24,8 @@ pub fn sun_glitter(
     n: f64,
 ) -> f64 {
     let sun = level(toward_sun);
-    let deviation = slopes.covariance.between(sun, sun).max(0.0).sqrt();
-    let open = shown_share(toward_sun.y - sun.dot(facets.mean_slope), deviation, facets.seen_share);
+    let deviation = facets.sea.between(sun, sun).max(0.0).sqrt();
+    let open = shown_share(toward_sun.y, deviation, facets.seen_share);
     let half = toward_eye + toward_sun;
     if open <= 0.0 || half.y <= 1e-3 {
         return 0.0;

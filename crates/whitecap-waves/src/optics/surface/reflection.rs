@@ -1,7 +1,7 @@
 //! What a rough sea reflects of the light around.
 
 use super::masking::shown_share;
-use super::{Slopes, VisibleFacets, level};
+use super::{VisibleFacets, level};
 use crate::optics::{fresnel_exact, visible_cosine};
 use glam::DVec3;
 
@@ -28,10 +28,11 @@ pub struct SeaReflection {
     pub water_weight: f64,
 }
 
-/// The deviation of each tap's blur in that of all that reflects; the taps are drawn together so that they and their
-/// blur keep its variance. A tap reaches so many of its deviations to either side.
+/// The deviation of each tap's blur in that of all that reflects, where waves hide all but crests and what it grows by where
+/// they hide nothing: at grazing angles taps have to tell up from down, further down the sky's change with elevation.
 const TAP_BLUR: f64 = 0.5;
-const TAP_SPACING: f64 = 0.866_03;
+const TAP_BLUR_SEEN: f64 = 0.1;
+/// A tap reaches so many of its deviations to either side.
 const TAP_REACH: f64 = 2.5;
 
 /// The reflection of the light around, to be read from a prefiltered map.
@@ -39,24 +40,25 @@ const TAP_REACH: f64 = 2.5;
 /// A facet turns the reflection by twice its angle along the view and by twice that times the cosine of incidence
 /// across: that is why reflections are drawn out towards the viewer. What is reflected downwards, or upwards into
 /// waves ([`shown_share`]), meets a facet of another wave, and from there comes the sky higher up, by the share
-/// that this facet reflects, or the water. That facet's slope is taken from `visible_cosine` for a sea of the
-/// pixel's own variance, its mean slope counted as one draw of it. Third reflections are left to the water.
+/// that this facet reflects, or the water. That facet's slope is taken from `visible_cosine` for the whole sea. Third
+/// reflections are left to the water.
 ///
 /// Against a random walk on a surface by Smith, what the taps reflect is right to 0.005 of the light for deviations
-/// up to 0.15 and to 0.011 up to 0.35; a sky four times as bright at the horizon as overhead is right to 10 %.
-pub fn sea_reflection(slopes: &Slopes, facets: &VisibleFacets, toward_eye: DVec3, n: f64) -> SeaReflection {
-    let own_slope = facets.mean_slope.dot(facets.toward);
-    let sea_variance = facets.variance + own_slope * own_slope;
+/// up to 0.15 and to 0.008 up to 0.35; a sky four times as bright at the horizon as overhead is right to 10 %.
+pub fn sea_reflection(facets: &VisibleFacets, toward_eye: DVec3, n: f64) -> SeaReflection {
     let (mut mean, mut square) = (0.0, 0.0);
     for (slope, weight) in facets.reflecting_slopes.iter().zip(facets.reflecting_weights) {
         mean += weight * slope;
         square += weight * slope * slope;
     }
-    let blur = TAP_BLUR * (square - mean * mean).max(0.0).sqrt();
+    // Taps are drawn together so that they and their blur keep the variance of all that reflects.
+    let tap_blur = TAP_BLUR + TAP_BLUR_SEEN * facets.seen_share;
+    let tap_spacing = (1.0 - tap_blur * tap_blur).sqrt();
+    let blur = tap_blur * (square - mean * mean).max(0.0).sqrt();
     let taps: [ReflectionTap; 3] = std::array::from_fn(|i| {
-        let slope = mean + TAP_SPACING * (facets.reflecting_slopes[i] - mean);
+        let slope = mean + tap_spacing * (facets.reflecting_slopes[i] - mean);
         let weight = facets.mean_fresnel * facets.reflecting_weights[i];
-        tap(slopes, facets, toward_eye, n, sea_variance, &Lobe { slope, blur, weight })
+        tap(facets, toward_eye, n, &Lobe { slope, blur, weight })
     });
     SeaReflection { taps, water_weight: 1.0 - taps.iter().map(|tap| tap.weight).sum::<f64>() }
 }
@@ -68,15 +70,9 @@ struct Lobe {
     weight: f64,
 }
 
-fn tap(
-    slopes: &Slopes,
-    facets: &VisibleFacets,
-    toward_eye: DVec3,
-    n: f64,
-    sea_variance: f64,
-    lobe: &Lobe,
-) -> ReflectionTap {
+fn tap(facets: &VisibleFacets, toward_eye: DVec3, n: f64, lobe: &Lobe) -> ReflectionTap {
     let toward = facets.toward;
+    let sea_variance = facets.sea.between(toward, toward);
     let a = lobe.slope;
     let b = facets.across_slope + facets.across_per_slope * a;
     let facet = DVec3::new(a * toward.x - b * toward.y, 1.0, a * toward.y + b * toward.x).normalize();
@@ -93,8 +89,8 @@ fn tap(
     let sky = (0.5 + 0.5 * reflected.y / reach).clamp(0.0, 1.0);
     let sky_elevation = if sky < 1.0 { reach * sky * sky } else { reflected.y };
     let horizontal = level(reflected);
-    let deviation = slopes.covariance.between(horizontal, horizontal).max(0.0).sqrt();
-    let open = shown_share(reflected.y - horizontal.dot(facets.mean_slope), deviation, facets.seen_share);
+    let deviation = facets.sea.between(horizontal, horizontal).max(0.0).sqrt();
+    let open = shown_share(reflected.y, deviation, facets.seen_share);
     let escaping = sky * sky * (3.0 - 2.0 * sky) * open;
 
     let descent = (-reflected.y).max(0.0);

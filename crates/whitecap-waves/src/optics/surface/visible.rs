@@ -1,7 +1,7 @@
 //! The facets that an eye sees.
 
 use super::masking::hidden_projection;
-use super::{Slopes, level};
+use super::{SlopeCovariance, Slopes, level};
 use crate::optics::fresnel_exact;
 use glam::{DVec2, DVec3};
 
@@ -16,7 +16,9 @@ pub struct VisibleFacets {
     pub mean_slope: DVec2,
     /// E[max(v, 0)]: what the facets of a unit of level area show the eye.
     pub projection: f64,
-    /// Smith's G₁: the share of the facets turned to the eye that no wave hides.
+    /// Slopes of the whole sea, whose waves stand before one another.
+    pub sea: SlopeCovariance,
+    /// Smith's G₁ of that sea: the share of the facets turned to the eye that no wave hides.
     pub seen_share: f64,
     /// Unit level vector towards the eye.
     pub toward: DVec2,
@@ -30,8 +32,6 @@ pub struct VisibleFacets {
     pub across_per_slope: f64,
     /// Its variance where that is given.
     pub across_variance: f64,
-    /// Variance of the slope towards the eye.
-    pub variance: f64,
 }
 
 /// Slopes at which the mean over visible facets is taken, in deviations from the mean, and their weights.
@@ -51,11 +51,15 @@ fn visible_nodes(z: f64) -> [(f64, f64); 3] {
     [(low, low_weight), (middle, 1.0 - low_weight - high_weight), (high, high_weight)]
 }
 
-/// The facets seen from `toward_eye`, a unit vector; `n` is the water's refractive index.
+/// The facets of a piece of `sea` seen from `toward_eye`, a unit vector; `n` is the water's refractive index.
+///
+/// `slopes` are the piece's own: a pixel that resolves waves sees a part of the sea's covariance as its mean. What waves
+/// hide from the eye, and later from the light, is by the whole sea's slopes all the same: the wave that is in the way lies
+/// somewhere else. That is why near and far water are as bright.
 ///
 /// A facet is seen in proportion to max(v, 0) (Heitz 2014, equation 15 over slopes); the mean Fresnel
 /// reflectance is right to 0.003 against that integral at any angle and any deviation up to 0.35.
-pub fn visible_facets(slopes: &Slopes, toward_eye: DVec3, n: f64) -> VisibleFacets {
+pub fn visible_facets(slopes: &Slopes, sea: SlopeCovariance, toward_eye: DVec3, n: f64) -> VisibleFacets {
     let horizontal = level(toward_eye);
     let sine = horizontal.length();
     let toward = if sine > 1e-6 { horizontal / sine } else { DVec2::X };
@@ -79,6 +83,10 @@ pub fn visible_facets(slopes: &Slopes, toward_eye: DVec3, n: f64) -> VisibleFace
     let z = shown / tau;
     let projection = (shown + tau * hidden_projection(z)).max(1e-5);
 
+    let level_shown = toward_eye.y.max(0.0);
+    let sea_tau = sea.between(horizontal, horizontal).max(0.0).sqrt().max(1e-6);
+    let sea_projection = level_shown + sea_tau * hidden_projection(level_shown / sea_tau);
+
     let mut mean = 0.0;
     let (mut reflecting_slopes, mut reflecting_weights) = ([0.0; 3], [0.0; 3]);
     // Beyond this the nodes move no more, and the cube of z stays finite in f32.
@@ -98,13 +106,13 @@ pub fn visible_facets(slopes: &Slopes, toward_eye: DVec3, n: f64) -> VisibleFace
         normal: DVec3::new(seen_slope.x, 1.0, seen_slope.y).normalize(),
         mean_slope,
         projection,
-        seen_share: shown / projection,
+        sea,
+        seen_share: level_shown / sea_projection,
         toward,
         reflecting_slopes,
         reflecting_weights: reflecting_weights.map(|weight| weight / mean_fresnel),
         across_slope,
         across_per_slope,
         across_variance,
-        variance,
     }
 }

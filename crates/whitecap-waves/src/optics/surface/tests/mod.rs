@@ -38,6 +38,13 @@ fn the_share_let_pass_is_that_of_correlated_heights() {
     assert_eq!(shown_share(0.3, 0.0, 1.0), 1.0);
 }
 
+/// What is seen of a sea of which a pixel resolves nothing but what all of it leans by.
+fn whole_sea(slopes: &Slopes, toward_eye: DVec3, n: f64) -> VisibleFacets {
+    let (c, m) = (slopes.covariance, slopes.mean);
+    let sea = SlopeCovariance { xx: c.xx + m.x * m.x, xz: c.xz + m.x * m.y, zz: c.zz + m.y * m.y };
+    visible_facets(slopes, sea, toward_eye, n)
+}
+
 /// Seas to try: alike in all directions, long-crested in any direction, and tilted.
 fn seas() -> Vec<Slopes> {
     let mut seas: Vec<Slopes> = DEVIATIONS.map(isotropic).to_vec();
@@ -53,7 +60,7 @@ fn mean_fresnel_and_normal_are_those_of_what_is_seen() {
     let (mut worst, mut worst_slope) = (0.0_f64, 0.0_f64);
     for slopes in seas() {
         for degrees in ANGLES_DEG {
-            let facets = visible_facets(&slopes, eye(degrees), N);
+            let facets = whole_sea(&slopes, eye(degrees), N);
             // A sea that faces away as a whole is turned to the eye; what is seen there is another question.
             if facets.mean_slope.distance(slopes.mean) > 1e-12 {
                 continue;
@@ -75,16 +82,16 @@ fn calm_water_is_a_mirror() {
     for degrees in [0.0, 30.0, 60.0, 80.0, 89.0] {
         let eye = eye(degrees);
         let flat = isotropic(0.0);
-        let facets = visible_facets(&flat, eye, N);
+        let facets = whole_sea(&flat, eye, N);
         assert!((facets.mean_fresnel - fresnel_exact(eye.y, N)).abs() < 1e-6);
-        let reflection = sea_reflection(&flat, &facets, eye, N);
+        let reflection = sea_reflection(&facets, eye, N);
         let mirrored = DVec3::new(-eye.x, eye.y, -eye.z);
         for tap in reflection.taps {
             assert!(tap.toward.distance(mirrored) < 2e-4, "{degrees}: {tap:?}");
         }
         assert!((1.0 - reflection.water_weight - facets.mean_fresnel).abs() < 1e-4);
     }
-    let sixty = visible_facets(&isotropic(0.0), eye(60.0), N).mean_fresnel;
+    let sixty = whole_sea(&isotropic(0.0), eye(60.0), N).mean_fresnel;
     assert!((sixty - 0.061_00).abs() < 6e-6);
 }
 
@@ -96,8 +103,8 @@ fn taps_stay_above_the_horizon_and_weights_are_shares() {
     all.push(slopes(1e-9, 0.0, 1e-9, DVec2::new(-0.9, -0.3)));
     for slopes in all {
         for degrees in ANGLES_DEG.into_iter().chain([95.0, 120.0]) {
-            let facets = visible_facets(&slopes, eye(degrees), N);
-            let reflection = sea_reflection(&slopes, &facets, eye(degrees), N);
+            let facets = whole_sea(&slopes, eye(degrees), N);
+            let reflection = sea_reflection(&facets, eye(degrees), N);
             let mut sum = reflection.water_weight;
             assert!((0.0..=1.0).contains(&reflection.water_weight));
             for tap in reflection.taps {
@@ -118,13 +125,13 @@ fn weights_are_those_of_many_reflections() {
     for slopes in [isotropic(0.04), isotropic(0.15), isotropic(0.35), slopes(0.02, 0.012, 0.01, DVec2::ZERO)]
     {
         for degrees in [30.0, 60.0, 75.0, 80.0, 84.0, 87.0, 89.0, 89.9] {
-            let facets = visible_facets(&slopes, eye(degrees), N);
-            let reflection = sea_reflection(&slopes, &facets, eye(degrees), N);
+            let facets = whole_sea(&slopes, eye(degrees), N);
+            let reflection = sea_reflection(&facets, eye(degrees), N);
             let (_, single, _) = visible_means(&slopes, eye(degrees));
             let seen = 1.0 - reflection.water_weight;
             let expected = walked(&slopes, eye(degrees), 30_000, |_| 1.0);
             let error = (seen - expected).abs();
-            let bound = if slopes.covariance.xx < 0.025 { 0.007 } else { 0.012 };
+            let bound = if slopes.covariance.xx < 0.025 { 0.007 } else { 0.009 };
             assert!(error < bound, "{degrees} {slopes:?}: {seen} for {expected}");
             assert!(expected > single - 0.003 && expected < facets.mean_fresnel + 0.005);
             worst = worst.max(error);
@@ -142,8 +149,8 @@ fn a_sky_in_the_taps_is_the_sky_in_the_waves() {
     for slopes in [isotropic(0.04), isotropic(0.15), isotropic(0.25), slopes(0.02, 0.012, 0.01, DVec2::ZERO)]
     {
         for degrees in [30.0, 60.0, 75.0, 80.0, 84.0, 87.0, 89.0, 89.9] {
-            let facets = visible_facets(&slopes, eye(degrees), N);
-            let reflection = sea_reflection(&slopes, &facets, eye(degrees), N);
+            let facets = whole_sea(&slopes, eye(degrees), N);
+            let reflection = sea_reflection(&facets, eye(degrees), N);
             let mut seen = 0.0;
             for tap in reflection.taps {
                 for step in [-1.0_f64, 1.0] {
@@ -156,7 +163,7 @@ fn a_sky_in_the_taps_is_the_sky_in_the_waves() {
             }
             let expected = walked(&slopes, eye(degrees), 30_000, sky);
             let error = (seen / expected - 1.0).abs();
-            assert!(error < 0.11, "{degrees} {slopes:?}: {seen} for {expected}");
+            assert!(error < 0.10, "{degrees} {slopes:?}: {seen} for {expected}");
             worst = worst.max(error);
         }
     }
@@ -165,7 +172,7 @@ fn a_sky_in_the_taps_is_the_sky_in_the_waves() {
 
 /// The integral of the glitter over all suns, for one eye.
 fn all_suns(slopes: &Slopes, toward_eye: DVec3) -> f64 {
-    let facets = visible_facets(slopes, toward_eye, N);
+    let facets = whole_sea(slopes, toward_eye, N);
     let mut sum = 0.0;
     // A solid angle of suns is 4 cos i H_y³ times an area of slopes; `over_slopes` shares out that area by p.
     let c = slopes.covariance;
@@ -190,7 +197,7 @@ fn all_suns(slopes: &Slopes, toward_eye: DVec3) -> f64 {
 fn glitter_over_all_suns_is_the_mean_fresnel() {
     for slopes in [isotropic(0.02), isotropic(0.15), isotropic(0.3), slopes(0.02, 0.012, 0.01, DVec2::ZERO)] {
         for degrees in [0.0, 30.0, 60.0, 70.0, 80.0, 85.0, 88.0] {
-            let facets = visible_facets(&slopes, eye(degrees), N);
+            let facets = whole_sea(&slopes, eye(degrees), N);
             let (_, single, _) = visible_means(&slopes, eye(degrees));
             let sum = all_suns(&slopes, eye(degrees));
             assert!((sum / single - 1.0).abs() < 0.01, "{degrees} {slopes:?}: {sum} for {single}");
@@ -207,7 +214,7 @@ fn slopes_are_read_back_from_the_glitter() {
     let mean = DVec2::new(0.12, -0.07);
     let slopes = slopes(4e-4, 1e-4, 3e-4, mean);
     let eye = eye(40.0);
-    let facets = visible_facets(&slopes, eye, N);
+    let facets = whole_sea(&slopes, eye, N);
     let (mut best, mut found) = (0.0, DVec2::ZERO);
     for i in -100..=100 {
         for j in -100..=100 {
@@ -230,7 +237,7 @@ fn a_mirror_shows_a_disc() {
     for degrees in [0.0, 40.0, 75.0, 86.0] {
         let eye = eye(degrees);
         let flat = isotropic(0.0);
-        let facets = visible_facets(&flat, eye, N);
+        let facets = whole_sea(&flat, eye, N);
         let mirrored = DVec3::new(-eye.x, eye.y, -eye.z);
         let fresnel = fresnel_exact(eye.y, N);
         let peak = sun_glitter(&flat, &facets, eye, mirrored, radius, N);
@@ -250,7 +257,7 @@ fn a_mirror_shows_a_disc() {
 #[test]
 fn the_sun_does_not_shine_through_waves() {
     let slopes = isotropic(0.1);
-    let facets = visible_facets(&slopes, eye(80.0), N);
+    let facets = whole_sea(&slopes, eye(80.0), N);
     let below = DVec3::new(-0.8, -0.05, -0.6).normalize();
     assert_eq!(sun_glitter(&slopes, &facets, eye(80.0), below, 0.0047, N), 0.0);
 }
