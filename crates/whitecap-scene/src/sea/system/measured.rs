@@ -11,8 +11,13 @@ use whitecap_waves::statistics::significant_height_m;
 use super::{asked::HEIGHT, warnings};
 use crate::error::SceneError;
 use crate::key::{Count, File, Flag, Moment, Name, OneOf, Real, optional, or, required, table, words};
-use crate::measured::{self, Directions, Energy, MeasuredProblem, MeasuredSea, Selection, Time, When};
+use crate::measured::{
+    self, Contradicting, Directions, Energy, MeasuredProblem, MeasuredSea, Selection, Time, When,
+};
 use crate::reader::TableReader;
+
+/// A greater share of the energy than this with directions that contradict each other is worth a warning.
+const CONTRADICTING: f64 = 0.01;
 
 words! {
     /// How directions are made from the moments that a buoy measures.
@@ -129,7 +134,12 @@ impl MeasuredSystem {
         let Ok(seas) = self.records(table) else { return Vec::new() };
         let Ok(chosen) = self.chosen(table, &seas) else { return Vec::new() };
         let drawn = self.drawn(chosen);
-        let about_file = [self.skipped(&seas, chosen), self.resummed(&drawn, spectrum), self.cut_off(&drawn)];
+        let about_file = [
+            self.skipped(&seas, chosen),
+            self.contradicting(chosen),
+            self.resummed(&drawn, spectrum),
+            self.cut_off(&drawn),
+        ];
         let height_m = significant_height_m(spectrum.variance_m2());
         let peak = Profile::of(&spectrum).peak_wave_number();
         let about_waves = warnings::about_waves(height_m, peak, water, "");
@@ -156,6 +166,18 @@ impl MeasuredSystem {
                     _ => "is of a calm, all values are 0",
                 }
             ),
+        })
+    }
+
+    fn contradicting(&self, chosen: &MeasuredSea) -> Option<String> {
+        let Contradicting { frequencies, of, share } = chosen.contradicting_directions();
+        (share > CONTRADICTING).then(|| {
+            format!(
+                "{}: {frequencies} of {of} frequencies, with {:.1} % of the energy, have directional moments r1, r2, alpha1 and \
+                 alpha2 that no distribution of directions has; there r2 and alpha2 are drawn as the nearest that one has",
+                self.measured.display(),
+                100.0 * share
+            )
         })
     }
 
