@@ -92,6 +92,11 @@ fn errors_name_the_line_of_the_scene_and_the_file() {
             "no place \"x\"; accepted: \"buoy\"",
         ),
         (
+            "measured = \"data/buoy.txt\"\nfrom_deg = 9\ncos2s = 1001",
+            ":8: sea.system[0].cos2s = 1001: ",
+            "out of range; accepted: 0 to 1000",
+        ),
+        (
             "measured = \"data/buoy.txt\"\nspectrum = \"phillips\"",
             ":7: sea.system[0].spectrum = \"phillips\": ",
             "beside measured; accepted: one of the two",

@@ -8,7 +8,9 @@ use whitecap_waves::spectrum::tabulated;
 use whitecap_waves::spectrum::{Profile, WaveSpectrum};
 use whitecap_waves::statistics::significant_height_m;
 
-use super::{asked::HEIGHT, warnings};
+use super::asked::HEIGHT;
+use super::spreading::AnySpreading;
+use super::warnings;
 use crate::error::SceneError;
 use crate::key::{Count, File, Flag, Moment, Name, OneOf, Real, optional, or, required, table, words};
 use crate::measured::{
@@ -47,8 +49,8 @@ table! {
         direction_method: Option<DirectionMethod> = optional(OneOf::<DirectionMethod>::WORDS, "`\"mem\"`");
         /// The bearing that the waves of a file without directions come from, clockwise from north; such a file needs it.
         from_deg: Option<f64> = optional(Real { unit: "deg", min: 0.0, max: 360.0 }, "as the file says");
-        /// How narrow the waves of a file without directions run: the s of cos^2s of half the angle.
-        cos2s: Option<f64> = optional(Real { unit: "", min: 0.0, max: 200.0 }, "10 for a file without directions");
+        /// How narrow the waves of a file without directions run: the s of cos^2s of half the angle, where 1000 is a spread of 2.6°.
+        cos2s: Option<f64> = optional(AnySpreading::EXPONENT, "10 for a file without directions");
     }
 }
 
@@ -126,7 +128,8 @@ impl MeasuredSystem {
         Some(significant_height_m(record.variance_m2()))
     }
 
-    /// Where the newest record is passed over because it lacks waves or directions, where the energy between the file's
+    /// Where the newest record is passed over because it lacks waves or directions, where no waves have directions such as the
+    /// record's, where the energy between the file's
     /// frequencies is not what the file's own sum says, as with few of them, where its frequencies end among its waves,
     /// and where the water cannot carry them.
     pub(super) fn warnings(&self, spectrum: &dyn WaveSpectrum, water: &Dispersion) -> Vec<String> {
