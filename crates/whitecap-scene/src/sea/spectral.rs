@@ -9,7 +9,7 @@ use whitecap_waves::spectrum::{Profile, WaveSpectrum};
 use whitecap_waves::statistics::significant_height_m;
 
 use super::cascade::{CASCADES, Cascade};
-use super::system::{self, SYSTEMS, System};
+use super::system::{self, SYSTEMS, System, metres};
 use super::{SeaModel, SeaSurface, fitting};
 use crate::error::SceneError;
 use crate::key::{Count, Flag, OneOf, PowerOfTwo, Real, optional, or, required, table, words};
@@ -270,11 +270,11 @@ impl SpectralSettings {
             }
             let [asked_m, there_m] =
                 [1.0, captured].map(|part| significant_height_m(part * spectrum.variance_m2()));
-            let digits = if asked_m < 1.0 { 4 } else { 2 };
             Some(format!(
-                "sea.system[{index}]: its tiles carry {:.1} % of its energy, {there_m:.digits$} m of \
-                 {asked_m:.digits$} m of significant height: {}",
+                "sea.system[{index}]: its tiles carry {:.1} % of its energy, {} m of {} m of significant height: {}",
                 100.0 * captured,
+                metres(there_m, 2),
+                metres(asked_m, 2),
                 fitting::remedy(self, &spectra, tiling, sea, &Profile::of(&spectrum)),
             ))
         };
