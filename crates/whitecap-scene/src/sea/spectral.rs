@@ -49,7 +49,7 @@ table! {
         /// The most tiles that share the spectrum out among them, each with the waves that are too short for the one
         /// before.
         cascades: Option<u32> = optional(Count { min: 1, max: 8 }, "as many as the technique draws");
-        /// The side of the largest tile.
+        /// The side of the largest tile; one that holds less than two waves of a system's peak is warned of.
         tile_size_m: Option<f64> =
             optional(Real { unit: "m", min: 1.0, max: 100_000.0 }, "eight wavelengths of the longest peak");
         /// How many samples each tile has along a side.
@@ -117,6 +117,10 @@ const LOOPED: f64 = 0.05;
 
 /// Less of a system than this on the tiles is worth a warning: its height is 1 % lower than was asked for.
 pub(super) const FULL: f64 = 0.98;
+
+/// A tile that is asked for and holds fewer waves of a system's peak is worth a warning: they have few lengths and directions,
+/// and one sees them repeat.
+pub(super) const LEAST_PEAK_WAVES: f64 = 2.0;
 
 impl SpectralSettings {
     fn read_checked(table: &TableReader<'_>) -> Result<Self, SceneError> {
@@ -308,6 +312,7 @@ impl SpectralSettings {
         Ok(unusual
             .chain(of_sum)
             .chain(captured.enumerate().filter_map(lost))
+            .chain(fitting::few_waves(self, &spectra, sea))
             .chain(looped)
             .chain(against)
             .collect())
