@@ -92,6 +92,11 @@ fn errors_name_the_line_of_the_scene_and_the_file() {
             "no place \"x\"; accepted: \"buoy\"",
         ),
         (
+            "measured = \"data/buoy.txt\"\nfrom_deg = 9\ncos2s = 1001",
+            ":8: sea.system[0].cos2s = 1001: ",
+            "out of range; accepted: 0 to 1000",
+        ),
+        (
             "measured = \"data/buoy.txt\"\nspectrum = \"phillips\"",
             ":7: sea.system[0].spectrum = \"phillips\": ",
             "beside measured; accepted: one of the two",
@@ -145,6 +150,52 @@ fn a_passed_over_hour_is_a_warning() {
     let said = Scene::load(&scene).unwrap_err().to_string();
     assert!(said.contains("storm.toml:7: sea.system[0].time = \"2020-06-08T05:50\": "), "{said}");
     assert!(said.contains("44097.swr1; accepted: another time, or from_deg"), "{said}");
+}
+
+/// r1 = 0.9 and r2 = 0.1 in line: |c₂ − c₁²| = 0.71, and 1 − r₁² is 0.19. The first two of five bands hold 3 of 9 parts of the
+/// energy, the first alone one.
+#[test]
+fn directions_that_no_waves_have_are_a_warning() {
+    let said = |r1: &str, r2: &str, density: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let scene = write(folder.path(), "measured = \"data/44097.data_spec\"");
+        let rows = |values: &str| {
+            let pairs = values
+                .split(' ')
+                .zip(1..)
+                .map(|(value, i)| format!(" {value} ({:.3})", 0.1 + 0.01 * f64::from(i)));
+            pairs.collect::<String>()
+        };
+        for (extension, head, values) in [
+            ("data_spec", "Sep_Freq < spec_1", density),
+            ("swdir", "alpha1_1", "270 270 270 270 270"),
+            ("swdir2", "alpha2_1", "270 270 270 270 270"),
+            ("swr1", "r1_1", r1),
+            ("swr2", "r2_1", r2),
+        ] {
+            let text = format!("#YY MM DD hh mm {head}\n2020 06 08 05 50{}\n", rows(values));
+            std::fs::write(folder.path().join(format!("data/44097.{extension}")), text).unwrap();
+        }
+        let warnings = Scene::load(&scene).unwrap().warnings;
+        warnings.into_iter().filter(|warning| warning.contains("directional moments")).collect::<Vec<_>>()
+    };
+    let energy = "1 2 3 2 1";
+    for (r1, r2) in [
+        ("0.80 0.80 0.80 0.80 0.80", "0.64 0.50 0.40 0.30 0.90"),
+        // As narrow as there is, in hundredths.
+        ("1.00 0.99 0.98 0.99 0.00", "1.00 0.96 0.94 0.97 1.00"),
+    ] {
+        assert_eq!(said(r1, r2, energy), Vec::<String>::new());
+    }
+    let found = said("0.90 0.90 0.80 0.80 0.80", "0.10 0.10 0.64 0.64 999", energy);
+    let words = ["sea.system[0]: ", "44097.data_spec: 2 of 4 frequencies, with 33.3 % of the energy, have "];
+    assert!(found.len() == 1 && words.iter().all(|word| found[0].contains(word)), "{found:?}");
+    // Where there is next to no energy, or none, nothing is said.
+    let crooked = |density: &str| said("0.90 0.80 0.80 0.80 0.80", "0.10 0.64 0.64 0.64 0.64", density);
+    assert!(crooked("0.2 2 3 2 1")[0].contains("1 of 5 frequencies, with 2.4 % of the energy"));
+    for density in ["0.05 2 3 2 1", "0 2 3 2 1"] {
+        assert_eq!(crooked(density), Vec::<String>::new());
+    }
 }
 
 /// Files of seas that are not found, and of files that end too soon, say so as parameters do.

@@ -143,3 +143,25 @@ fn currents_that_no_waves_run_against() {
         assert_eq!(warnings(with, &[SWELL]), Vec::<String>::new());
     }
 }
+
+/// The peak over wave numbers of waves of 8 s, longer than the 99.9 m of that over frequencies.
+#[test]
+fn tiles_that_hold_few_waves_of_the_peak() {
+    let tile = |size_m: f64| format!("cascades = 1; resolution = 256; tile_size_m = {size_m:?}");
+    assert_eq!(warnings(&tile(202.0), &[SWELL]), Vec::<String>::new());
+    let words = [
+        "sea.tile_size_m = 180: ",
+        "holds 1.8 waves",
+        "sea.system[0]",
+        "100.7 m long",
+        "than 2",
+        "= 806 holds eight",
+    ];
+    one(&tile(180.0), &[SWELL], &words);
+    let ripples = "spectrum = 'jonswap'; significant_height_m = 0.1; peak_period_s = 3";
+    one(&tile(180.0), &[ripples, SWELL], &["the peak of sea.system[1]"]);
+    let tiles = "cascade = [{ tile_size_m = 20.0 }, { tile_size_m = 150.0 }]";
+    one(tiles, &[SWELL], &["sea.cascade[1].tile_size_m = 150: ", "holds 1.5 waves"]);
+    // What is planned holds eight.
+    assert_eq!(warnings("", &[SWELL]), Vec::<String>::new());
+}

@@ -103,6 +103,17 @@ pub enum MeasuredProblem {
         whole: usize,
     },
 
+    /// The same time twice, with different values.
+    #[error(
+        "{record}, which line {first} has with other values; accepted: each time and place once, or the same again"
+    )]
+    Twice {
+        /// What the line has again.
+        record: String,
+        /// The line that has it first.
+        first: usize,
+    },
+
     /// The waves are higher than any.
     #[error("{height_m:.1} m of significant height; accepted: up to {most_m} m")]
     TooHigh {

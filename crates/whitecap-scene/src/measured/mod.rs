@@ -8,12 +8,14 @@
 //! | SWAN standard spectral file, version 1 | a table, or mean and spread |
 //!
 //! Files are told apart by their first line. A single value that is missing counts as no energy; a record
-//! without any value is kept as [`Energy::Missing`]. Memory is set aside for what a file holds, not for what
+//! without any value is kept as [`Energy::Missing`]. A record that a file repeats counts once; one that it has twice with
+//! different values is an error. Memory is set aside for what a file holds, not for what
 //! its header claims.
 
 mod error;
 mod ndbc;
 mod quadrature;
+mod records;
 mod sea;
 mod select;
 mod swan;
@@ -26,10 +28,11 @@ use std::io::Read;
 use std::path::Path;
 
 pub use error::{MeasuredError, MeasuredProblem};
-pub use sea::{Directions, Energy, Format, MeasuredSea, Place};
+pub use sea::{Contradicting, Directions, Energy, Format, MeasuredSea, Place};
 pub use select::{Selection, When, passed_over, select};
 pub use time::Time;
 
+use records::Records;
 use text::Text;
 
 use crate::named;

@@ -19,6 +19,9 @@ const DIRECTIONS: usize = 180;
 /// The exponent of cos^{2s}(θ/2) for a file without directions: Goda and Suzuki (1975) for wind waves.
 pub(crate) const DEFAULT_COS2S: f64 = 10.0;
 
+/// What writing r₁ and r₂ in hundredths moves |c₂ − c₁²| and 1 − r₁² apart by, near r₁ = r₂ = 1.
+const ROUNDED: f64 = 0.025;
+
 /// Where a tail ends, and its frequencies as multiples of each other.
 const TAIL_END_HZ: f64 = 10.0;
 const TAIL_STEP: f64 = 1.05;
@@ -109,6 +112,17 @@ pub enum Energy {
     },
 }
 
+/// How much of a record has directions that contradict each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contradicting {
+    /// How many frequencies have moments that no distribution has.
+    pub frequencies: usize,
+    /// How many frequencies have energy and moments.
+    pub of: usize,
+    /// The share of the record's variance, 0 to 1, that the first have.
+    pub share: f64,
+}
+
 /// What the scene says of directions.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Directions {
@@ -127,12 +141,35 @@ impl MeasuredSea {
     /// frequency and equal steps in direction, SWAN equal steps of direction and of the logarithm of
     /// frequency, without its tail.
     pub fn variance_m2(&self) -> f64 {
-        let widths = match self.source {
+        self.density_m2phz().iter().zip(&self.widths_hz()).map(|(s, width)| s * width).sum()
+    }
+
+    /// What the format's makers take each frequency to stand for.
+    fn widths_hz(&self) -> Vec<f64> {
+        match self.source {
             Format::NdbcRealTime | Format::NdbcHistory => quadrature::bands(&self.frequencies_hz),
             Format::WaveWatch3 => quadrature::trapezoids(&self.frequencies_hz),
             Format::Swan => quadrature::log_bands(&self.frequencies_hz),
-        };
-        self.density_m2phz().iter().zip(&widths).map(|(s, width)| s * width).sum()
+        }
+    }
+
+    /// Where the record's moments of directions are such as no distribution has, by more than the digits of a file leave open.
+    pub fn contradicting_directions(&self) -> Contradicting {
+        let mut found = Contradicting { frequencies: 0, of: 0, share: 0.0 };
+        let Energy::Moments { density, moments } = &self.energy else { return found };
+        let mut variance_m2 = 0.0;
+        for ((s, moments), width) in density.iter().zip(moments).zip(self.widths_hz()) {
+            let Some(moments) = moments.filter(|_| *s > 0.0) else { continue };
+            found.of += 1;
+            if moments.contradiction() > ROUNDED {
+                found.frequencies += 1;
+                variance_m2 += s * width;
+            }
+        }
+        if variance_m2 > 0.0 {
+            found.share = variance_m2 / self.variance_m2();
+        }
+        found
     }
 
     /// The variance in m² that waves above the last frequency have if they go on from there as f⁻⁵, as those of a wind

@@ -1,12 +1,9 @@
 //! A text file line by line, with the line's number for errors.
 
-use super::{MeasuredError, MeasuredProblem, MeasuredSea};
+use super::{MeasuredError, MeasuredProblem};
 
 /// The most frequencies, and the most directions, of a table.
 const MOST_POINTS: usize = 1000;
-
-/// The most records of a file: a buoy takes a hundred years for as many.
-const MOST_RECORDS: usize = 1 << 20;
 
 /// The lines of a file, from where the reader is.
 #[derive(Clone)]
@@ -45,7 +42,17 @@ impl<'a> Text<'a> {
 
     /// An error about the line that was read last.
     pub(super) fn error(&self, problem: MeasuredProblem) -> MeasuredError {
-        MeasuredError { file: self.name.to_owned(), line: Some(self.line.max(1)), problem }
+        self.error_at(self.line(), problem)
+    }
+
+    /// An error about a line that was read before.
+    pub(super) fn error_at(&self, line: usize, problem: MeasuredProblem) -> MeasuredError {
+        MeasuredError { file: self.name.to_owned(), line: Some(line), problem }
+    }
+
+    /// The number of the line that was read last, from 1.
+    pub(super) fn line(&self) -> usize {
+        self.line.max(1)
     }
 
     pub(super) fn unexpected(&self, found: &str, accepted: &'static str) -> MeasuredError {
@@ -104,16 +111,6 @@ impl<'a> Text<'a> {
             }
         }
         Ok(numbers)
-    }
-
-    /// Adds a record, unless there are too many.
-    pub(super) fn push(&self, seas: &mut Vec<MeasuredSea>, sea: MeasuredSea) -> Result<(), MeasuredError> {
-        if seas.len() == MOST_RECORDS {
-            let (count, most) = (seas.len() as u64 + 1, MOST_RECORDS as u64);
-            return Err(self.error(MeasuredProblem::Count { what: "records", count, least: 1, most }));
-        }
-        seas.push(sea);
-        Ok(())
     }
 
     /// Checks that frequencies in Hz ascend and are of waves: from 60 km to less than a millimetre, what the sea is made of.

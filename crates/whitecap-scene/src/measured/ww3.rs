@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::Arc;
 
 use super::text::number;
-use super::{Energy, Format, MeasuredError, MeasuredProblem, MeasuredSea, Place, Text, Time};
+use super::{Energy, Format, MeasuredError, MeasuredProblem, MeasuredSea, Place, Records, Text, Time};
 
 const TITLE: &str = "WAVEWATCH III SPECTRA";
 
@@ -46,13 +46,14 @@ pub(super) fn read(bytes: &[u8], name: &str) -> Result<Vec<MeasuredSea>, Measure
     let toward_rad: Arc<[f64]> = toward_rad.into_iter().map(|toward| toward - FRAC_PI_2).collect();
     text.distinct(&toward_rad)?;
 
-    let mut seas = Vec::new();
+    let mut records = Records::default();
     while let Some(line) = text.next() {
         let mut words = line.split_whitespace();
         let time = words.next().zip(words.next()).and_then(|(date, clock)| Time::compact(date, clock));
         let time = time.ok_or_else(|| text.unexpected(line, "a time: yyyymmdd hhmmss"))?;
         for point in 1..=points {
             let line = text.expect(POINT)?;
+            let begins = text.line();
             let place = place(line, point).ok_or_else(|| text.unexpected(line, POINT))?;
             let count = frequencies * directions;
             let values = text.numbers_that(count, "densities in m²/(Hz rad)", checked)?;
@@ -63,10 +64,10 @@ pub(super) fn read(bytes: &[u8], name: &str) -> Result<Vec<MeasuredSea>, Measure
                 frequencies_hz: Arc::clone(&frequencies_hz),
                 energy: energy(&values, &toward_rad),
             };
-            text.push(&mut seas, sea)?;
+            records.push(&text, begins, sea)?;
         }
     }
-    if seas.is_empty() { Err(text.error(MeasuredProblem::NoRecord)) } else { Ok(seas) }
+    records.all(&text)
 }
 
 fn checked(text: &Text<'_>, density: f64) -> Result<f64, MeasuredError> {

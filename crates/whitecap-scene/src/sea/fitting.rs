@@ -6,7 +6,8 @@ use whitecap_waves::model::spectral::{Band, Cascade, SpectralSea};
 use whitecap_waves::spectrum::{Profile, WaveSpectrum};
 use whitecap_waves::{ParameterError, Remedy};
 
-use super::spectral::FULL;
+use super::spectral::{FULL, LEAST_PEAK_WAVES};
+use super::system::metres;
 use super::{SpectralSettings, Tiling};
 use crate::error::SceneError;
 
@@ -77,10 +78,7 @@ pub(super) fn remedy(
     let too_long = profile.variance_m2(Band { from: 0.0, to: longest });
     if too_long > too_short {
         let larger = match settings.cascade {
-            Some(_) => {
-                let size_m = (8.0 * TAU / profile.peak_wave_number()).ceil();
-                format!("{} = {size_m} holds them", largest_tile(settings))
-            }
+            Some(_) => format!("{} = {} holds them", largest_tile(settings), eight_waves_m(profile)),
             None => planned(),
         };
         format!("its waves are too long for a tile of {} m; {larger}", first.tile_size_m)
@@ -96,6 +94,41 @@ pub(super) fn remedy(
     }
 }
 
+/// Where the largest of the tiles that a file asks for holds few waves of a system's peak: one sentence for each such system.
+pub(super) fn few_waves(
+    settings: &SpectralSettings,
+    spectra: &[Box<dyn WaveSpectrum>],
+    sea: &SpectralSea,
+) -> Vec<String> {
+    if settings.cascade.is_none() && settings.tile_size_m.is_none() {
+        return Vec::new();
+    }
+    let largest_m = sea.parameters().cascades[0].tile_size_m;
+    let of_system = |(index, spectrum): (usize, &dyn WaveSpectrum)| {
+        if spectrum.variance_m2() <= 0.0 {
+            return None;
+        }
+        let profile = Profile::of(&spectrum);
+        let length_m = TAU / profile.peak_wave_number();
+        let waves = largest_m / length_m;
+        (waves < LEAST_PEAK_WAVES).then(|| {
+            let key = largest_tile(settings);
+            format!(
+                "{key} = {largest_m}: it holds {waves:.1} waves of the peak of sea.system[{index}], {} m long; fewer than \
+                 {LEAST_PEAK_WAVES} have few lengths and directions, and are seen to repeat; {key} = {} holds eight",
+                metres(length_m, 1),
+                eight_waves_m(&profile)
+            )
+        })
+    };
+    spectra.iter().map(|spectrum| &**spectrum).enumerate().filter_map(of_system).collect()
+}
+
+/// The side of a tile that holds eight waves of the peak.
+fn eight_waves_m(profile: &Profile) -> f64 {
+    (8.0 * TAU / profile.peak_wave_number()).ceil()
+}
+
 /// The least change of the keys of a plan with which its tiles hold all systems: the first of the keys, and a phrase.
 fn change(
     settings: &SpectralSettings,
@@ -104,7 +137,7 @@ fn change(
 ) -> (&'static str, String) {
     let profiles: Vec<_> = spectra.iter().filter(|one| one.variance_m2() > 0.0).map(Profile::of).collect();
     let peaks = || profiles.iter().map(|profile| TAU / profile.peak_wave_number());
-    let eight_peaks_m = Some((8.0 * peaks().fold(1.0, f64::max)).ceil());
+    let eight_peaks_m = Some(profiles.iter().map(eight_waves_m).fold(8.0, f64::max));
     // A quarter of a peak's length has 4 % of the energy of a wind sea below it, an eighth 1 %.
     let eighth_peak_m = Some((1e3 * peaks().fold(1e3, f64::min) / 8.0).floor().max(1.0) / 1e3);
     let cascades_now = settings.cascades.unwrap_or(tiling.cascades);
@@ -146,9 +179,12 @@ fn change(
     (said.first().map_or("sea", |(key, _)| key), format!("{} {verb} them", phrase.join(" and ")))
 }
 
-/// Whether tiles carry each system but for what is not worth a warning.
+/// Whether tiles carry each system but for what is not worth a warning, and waves enough of its peak.
 fn holds(tiles: &[Cascade], profiles: &[Profile]) -> bool {
     profiles.iter().all(|profile| {
+        if tiles[0].tile_size_m * profile.peak_wave_number() < LEAST_PEAK_WAVES * TAU {
+            return false;
+        }
         let part = |tile: &Cascade| {
             let lattice = Band::of_tile(tile.tile_size_m, tile.resolution);
             let (from, to) = (tile.band.from.max(lattice.from), tile.band.to.min(lattice.to));

@@ -9,7 +9,7 @@ use whitecap_waves::spectrum::{Profile, WaveSpectrum};
 use whitecap_waves::statistics::significant_height_m;
 
 use super::cascade::{CASCADES, Cascade};
-use super::system::{self, SYSTEMS, System};
+use super::system::{self, SYSTEMS, System, metres};
 use super::{SeaModel, SeaSurface, fitting};
 use crate::error::SceneError;
 use crate::key::{Count, Flag, OneOf, PowerOfTwo, Real, optional, or, required, table, words};
@@ -49,14 +49,14 @@ table! {
         /// The most tiles that share the spectrum out among them, each with the waves that are too short for the one
         /// before.
         cascades: Option<u32> = optional(Count { min: 1, max: 8 }, "as many as the technique draws");
-        /// The side of the largest tile.
+        /// The side of the largest tile; one that holds less than two waves of a system's peak is warned of.
         tile_size_m: Option<f64> =
             optional(Real { unit: "m", min: 1.0, max: 100_000.0 }, "eight wavelengths of the longest peak");
         /// How many samples each tile has along a side.
         resolution: Option<u32> = optional(PowerOfTwo { min: 16, max: 2048 }, "the technique's");
         /// The shortest wave that the tiles should reach down to, as far as their number and resolution allow.
         shortest_wave_m: Option<f64> =
-            optional(Real { unit: "m", min: 0.001, max: 1000.0 }, "0.1 m, or 0.0045 of the camera's height if that is more");
+            optional(SHORTEST, "0.1 m, or 0.0045 of the camera's height if that is more; shorter where that leaves less than 99.6 % of the energy or 99.5 % of a system's");
         /// The tiles themselves, `[[sea.cascade]]`, in place of the four keys above.
         cascade: Option<Vec<Cascade>> = optional(CASCADES, "chosen by the spectrum");
         /// How far crests are drawn together: 0 leaves them round, 1 is what linear theory says.
@@ -93,24 +93,34 @@ impl Tiling {
         Self { shortest_wave_m, ..self }
     }
 
-    /// What its view shows of these spectra, but no longer than leaves [`WHOLE`] of each of them.
+    /// What its view shows of these spectra, but no longer than leaves [`WHOLE`] of each of them and [`WHOLE_SEA`] of all.
     fn shortest_wave_of(&self, spectra: &[Box<dyn WaveSpectrum>]) -> f64 {
-        if self.shortest_wave_m <= Self::SHORTEST_WAVE_M {
-            return self.shortest_wave_m;
-        }
-        let whole_m = |spectrum| TAU / Profile::of(spectrum).wave_number_below(WHOLE);
-        spectra.iter().map(whole_m).fold(self.shortest_wave_m, f64::min).max(Self::SHORTEST_WAVE_M)
+        let above_m = |profile: Profile, share| TAU / profile.wave_number_below(share);
+        let of_each = spectra.iter().map(|spectrum| above_m(Profile::of(spectrum), WHOLE));
+        let of_all = above_m(Profile::of_sum(spectra), WHOLE_SEA);
+        of_each.fold(self.shortest_wave_m.min(of_all), f64::min).max(SHORTEST.min)
     }
 }
 
+/// What `shortest_wave_m` may be.
+const SHORTEST: Real = Real { unit: "m", min: 0.001, max: 1000.0 };
+
 /// Of a system's energy, what tiles carry whatever the view.
 const WHOLE: f64 = 0.995;
+
+/// The same of all systems together. Where the last tile ends is up to 2 % short of the wave that was asked for, by the ratio of
+/// tiles that is no whole number: with that, less than 0.5 % is lost.
+const WHOLE_SEA: f64 = 0.996;
 
 /// A loop that changes the period of a peak by more than this share is worth a warning.
 const LOOPED: f64 = 0.05;
 
 /// Less of a system than this on the tiles is worth a warning: its height is 1 % lower than was asked for.
 pub(super) const FULL: f64 = 0.98;
+
+/// A tile that is asked for and holds fewer waves of a system's peak is worth a warning: they have few lengths and directions,
+/// and one sees them repeat.
+pub(super) const LEAST_PEAK_WAVES: f64 = 2.0;
 
 impl SpectralSettings {
     fn read_checked(table: &TableReader<'_>) -> Result<Self, SceneError> {
@@ -270,11 +280,11 @@ impl SpectralSettings {
             }
             let [asked_m, there_m] =
                 [1.0, captured].map(|part| significant_height_m(part * spectrum.variance_m2()));
-            let digits = if asked_m < 1.0 { 4 } else { 2 };
             Some(format!(
-                "sea.system[{index}]: its tiles carry {:.1} % of its energy, {there_m:.digits$} m of \
-                 {asked_m:.digits$} m of significant height: {}",
+                "sea.system[{index}]: its tiles carry {:.1} % of its energy, {} m of {} m of significant height: {}",
                 100.0 * captured,
+                metres(there_m, 2),
+                metres(asked_m, 2),
                 fitting::remedy(self, &spectra, tiling, sea, &Profile::of(&spectrum)),
             ))
         };
@@ -302,6 +312,7 @@ impl SpectralSettings {
         Ok(unusual
             .chain(of_sum)
             .chain(captured.enumerate().filter_map(lost))
+            .chain(fitting::few_waves(self, &spectra, sea))
             .chain(looped)
             .chain(against)
             .collect())

@@ -182,3 +182,106 @@ fn messages_are_one_short_line() {
     let said = problem(&HISTORY.replacen("3.00", &"é\u{1}".repeat(5000), 1));
     assert!(said.len() < 400 && !said.contains('\n') && !said.contains('\u{1}'), "{said}");
 }
+
+/// The same place and time once more: with other values it is refused, and with the same it counts once.
+#[test]
+fn a_record_twice() {
+    let twice = |text: &str, record: &str, other: [&str; 2]| {
+        assert_eq!(read(&format!("{text}{record}")).len(), read(text).len(), "{text}");
+        problem(&format!("{text}{}", record.replacen(other[0], other[1], 1)))
+    };
+    const INSTEAD: &str = "has with other values; accepted: each time and place once, or the same again";
+    assert_eq!(
+        twice(DATA_SPEC, DATA_SPEC.lines().nth(1).unwrap(), ["4.000", "4.001"]),
+        format!("file:6: the record of 2020-06-08T03:50:00Z at place \"file\", which line 2 {INSTEAD}")
+    );
+    // A value that is missing once, or a frequency.
+    for other in [["4.000", "MM"], [" 2.000 (0.120)", " 2.000 (0.125)"]] {
+        let said = twice(DATA_SPEC, DATA_SPEC.lines().nth(1).unwrap(), other);
+        assert!(said.starts_with("file:6: the record of 2020-06-08T03:50:00Z"), "{said}");
+    }
+    assert_eq!(
+        twice(HISTORY, HISTORY.lines().nth(1).unwrap(), ["3.00", "3.01"]),
+        format!("file:4: the record of 2000-01-01T00:00:00Z at place \"file\", which line 2 {INSTEAD}")
+    );
+    let start = |text: &str, key: &str| text.find(key).unwrap();
+    let (first, second) = (start(WW3, "20220912 060000"), start(WW3, "20220912 070000"));
+    assert_eq!(
+        twice(WW3, &WW3[first..second], ["0.300E+01", "0.301E+01"]),
+        format!("file:23: the record of 2022-09-12T06:00:00Z at place \"buoy 2\", which line 9 {INSTEAD}")
+    );
+    let (first, second) = (start(SWAN, "20161011"), start(SWAN, "20161012"));
+    let said = twice(SWAN, &SWAN[first..second], ["0  -99   20", "0  -99   21"]);
+    let place = "\"1\" at (174.672501, -38.173599)";
+    assert_eq!(
+        said,
+        format!("file:40: the record of 2016-10-11T00:00:00Z at place {place}, which line 26 {INSTEAD}")
+    );
+    let said = twice(SWAN, &SWAN[first..second], ["NODATA", "ZERO"]);
+    assert!(said.starts_with("file:45: ") && said.contains("\"2\" at (175, -39), which line 31"), "{said}");
+}
+
+/// A place that a file lists twice, by name and coordinates, has one sea.
+#[test]
+fn a_place_twice() {
+    let again = WW3.replace("'buoy 2    '  41.00 -71.00", "'first     '  40.98-171.12");
+    let said = problem(&again);
+    assert!(said.starts_with("file:9: the record of 2022-09-12T06:00:00Z at place \"first\""), "{said}");
+    let both = SWAN.replace("175.0 -39.0", "174.672501 -38.173599");
+    let said = problem(&both);
+    assert!(said.starts_with("file:31: ") && said.contains("which line 26"), "{said}");
+    // Both numbers stay where they agree.
+    let same = both.replace("NODATA", "FACTOR\n1.0E-03\n0 0 0 0\n0 -99 20 0\n0 0 0 0");
+    let same = same.replacen("ZERO\n", "", 1);
+    let same = format!("{same}FACTOR\n0.5E-03\n0 0 0 0\n0 0 20 0\n0 0 0 0\n");
+    assert_eq!(read(&same).iter().map(|sea| sea.place.number).collect::<Vec<_>>(), [1, 2, 1, 2]);
+}
+
+/// Each of the four files of directions likewise.
+#[test]
+fn directions_twice() {
+    for (index, extension) in ["swdir", "swdir2", "swr1", "swr2"].into_iter().enumerate() {
+        let mut files = DIRECTIONS.map(str::to_owned);
+        let line = DIRECTIONS[index].lines().nth(1).unwrap();
+        let read = |files: &[String; 4]| {
+            from_bytes_with_directions(
+                DATA_SPEC.as_bytes(),
+                files.each_ref().map(|file| file.as_bytes()),
+                "x",
+            )
+        };
+        files[index].push_str(line);
+        assert_eq!(read(&files).unwrap(), read(&DIRECTIONS.map(str::to_owned)).unwrap());
+        let last = line.strip_suffix(" (0.120)").unwrap().rsplit_once(' ').unwrap().1;
+        let other = line.replace(&format!("{last} (0.120)"), "0.25 (0.120)");
+        files[index] = format!("{}{other}", DIRECTIONS[index]);
+        let said = read(&files).unwrap_err().to_string();
+        let expected =
+            format!("x (.{extension}):3: the directions of 2020-06-08T03:50:00Z, which line 2 has");
+        assert!(said.starts_with(&expected), "{said}");
+        files[index] = DIRECTIONS[index].replacen("(0.120)", "(0.110)", 1);
+        let said = read(&files).unwrap_err().to_string();
+        assert!(said.starts_with(&format!("x (.{extension}):2: found \"0.11\"; accepted: freq")), "{said}");
+    }
+}
+
+/// All directions alike have a spread of √2 rad.
+#[test]
+fn swan_spreads() {
+    let of = |spread: &str| {
+        format!(
+            "SWAN 1\nLOCATIONS\n1\n0 0\nAFREQ\n2\n.1\n.2\nQUANT\n3\nVaDens\nm2/Hz\n-99\nCDIR\ndegr\n-999\nDSPRDEGR\ndegr\n-9\n\
+             LOCATION 1\n1.0 90.0 {spread}\n1.0 90.0 20.0\n"
+        )
+    };
+    for spread in ["0.0", "81.0", "-9"] {
+        assert_eq!(read(&of(spread)).len(), 1);
+    }
+    for spread in ["-1.0", "82.0", "720.0"] {
+        let said = problem(&of(spread));
+        assert!(
+            said.starts_with("file:21: found \"") && said.ends_with("a spread from 0 to 81.1°"),
+            "{said}"
+        );
+    }
+}

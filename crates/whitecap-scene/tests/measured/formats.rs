@@ -23,13 +23,16 @@ fn ndbc_real_time_without_directions() {
     assert!(near(seas[1].variance_m2(), 0.03));
     assert_eq!((&seas[2].energy, &seas[3].energy), (&Energy::Missing, &Energy::Calm));
 
-    let from_west = Directions { from_deg: Some(270.0), cos2s: Some(4.0), method: None };
-    let spectrum = spectrum(&seas[0], from_west);
-    // Trapezoids: 0.01 · (½·1 + 4 + ½·2).
-    assert!(near(variance(&spectrum), 0.055));
-    let (from_deg, r1) = mean_from_deg(&spectrum);
-    assert!((from_deg - 270.0).abs() < 0.1, "{from_deg}");
-    assert!((r1 - 4.0 / 5.0).abs() < 1e-3, "s = 4 is r1 = s/(s+1): {r1}");
+    // Up to the narrowest that a scene may ask for.
+    for s in [4.0, 1000.0] {
+        let from_west = Directions { from_deg: Some(270.0), cos2s: Some(s), method: None };
+        let spectrum = spectrum(&seas[0], from_west);
+        // Trapezoids: 0.01 · (½·1 + 4 + ½·2).
+        assert!(near(variance(&spectrum), 0.055));
+        let (from_deg, r1) = mean_from_deg(&spectrum);
+        assert!((from_deg - 270.0).abs() < 0.1, "{from_deg}");
+        assert!((r1 - s / (s + 1.0)).abs() < 1e-3, "r1 = s/(s+1): {r1}");
+    }
 }
 
 #[test]

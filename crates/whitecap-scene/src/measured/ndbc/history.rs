@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::super::text::number;
-use super::super::{Format, MeasuredError, MeasuredProblem, MeasuredSea, Text};
+use super::super::{Format, MeasuredError, MeasuredSea, Records, Text};
 use super::{DENSITY, energy, place, time};
 
 /// Whether a file with this first line is of the format: columns of a time, then frequencies.
@@ -36,7 +36,7 @@ pub(in super::super) fn read(bytes: &[u8], name: &str) -> Result<Vec<MeasuredSea
     text.ascending(&frequencies_hz)?;
 
     let place = Arc::new(place(name));
-    let mut seas = Vec::new();
+    let mut records = Records::default();
     while let Some(line) = text.next() {
         // A second line of the header, with the units.
         if line.trim_start().starts_with('#') {
@@ -56,9 +56,9 @@ pub(in super::super) fn read(bytes: &[u8], name: &str) -> Result<Vec<MeasuredSea
             frequencies_hz: Arc::clone(&frequencies_hz),
             energy: energy(&values[skipped..]),
         };
-        text.push(&mut seas, sea)?;
+        records.push(&text, text.line(), sea)?;
     }
-    if seas.is_empty() { Err(text.error(MeasuredProblem::NoRecord)) } else { Ok(seas) }
+    records.all(&text)
 }
 
 const HEADER: &str = "a header: YYYY MM DD hh, mm, and the frequencies in Hz";

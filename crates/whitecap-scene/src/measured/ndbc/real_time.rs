@@ -7,7 +7,7 @@ use std::sync::Arc;
 use whitecap_waves::spectrum::tabulated::DirectionalMoments;
 
 use super::super::sea::toward_rad;
-use super::super::{Energy, Format, MeasuredError, MeasuredProblem, MeasuredSea, Text, Time};
+use super::super::{Energy, Format, MeasuredError, MeasuredProblem, MeasuredSea, Records, Text, Time};
 use super::{BEARING, Column, DENSITY, RATIO, SEPARATION, energy, place, time};
 
 /// The extensions of the files of directions: α₁, α₂ (degrees that waves come from), r₁, r₂.
@@ -41,7 +41,7 @@ pub(in super::super) fn read(
     let directions = companions.map(read_companions).transpose()?;
     let place = Arc::new(place(name));
     let mut frequencies_hz: Arc<[f64]> = Arc::new([]);
-    let (mut seas, mut bands) = (Vec::new(), Bands::default());
+    let (mut records, mut bands) = (Records::default(), Bands::default());
     while let Some(row) = row(&mut text, &DENSITY)? {
         text.points(Some(&row.frequencies_hz.len().to_string()), "frequencies", 2)?;
         text.ascending(&row.frequencies_hz)?;
@@ -65,10 +65,10 @@ pub(in super::super) fn read(
             frequencies_hz: Arc::clone(&frequencies_hz),
             energy,
         };
-        text.push(&mut seas, sea)?;
+        records.push(&text, text.line(), sea)?;
     }
     bands.whole()?;
-    if seas.is_empty() { Err(text.error(MeasuredProblem::NoRecord)) } else { Ok(seas) }
+    records.all(&text)
 }
 
 /// The bands that lines of a file have, each with an error at the first line of them. A buoy that gets another instrument
@@ -104,16 +104,19 @@ impl Bands {
     }
 }
 
-/// α₁, α₂, r₁ and r₂ of every time: frequencies in units of 10⁻⁴ Hz, and values.
+/// What a file of directions has of every time: the line, and the values by frequencies in units of 10⁻⁴ Hz.
+type Companion = BTreeMap<Time, (usize, BTreeMap<u32, f64>)>;
+
+/// α₁, α₂, r₁ and r₂.
 struct Companions {
-    files: [BTreeMap<Time, BTreeMap<u32, f64>>; 4],
+    files: [Companion; 4],
     names: [Arc<str>; 4],
 }
 
 impl Companions {
     fn moments(&self, time: Time, hz: f64) -> Option<DirectionalMoments> {
         let [mean_deg, principal_deg, r1, r2] =
-            self.files.each_ref().map(|file| file.get(&time)?.get(&key(hz)).copied());
+            self.files.each_ref().map(|file| file.get(&time)?.1.get(&key(hz)).copied());
         Some(DirectionalMoments {
             r1: r1?,
             mean_toward_rad: toward_rad(mean_deg?),
@@ -125,8 +128,7 @@ impl Companions {
     /// The first of the files without a value of this time, or where all have some, but none of the same frequency,
     /// all of them.
     fn lacking(&self, time: Time) -> Arc<str> {
-        let is_empty =
-            |file: &BTreeMap<Time, BTreeMap<u32, f64>>| file.get(&time).is_none_or(BTreeMap::is_empty);
+        let is_empty = |file: &Companion| file.get(&time).is_none_or(|(_, values)| values.is_empty());
         match self.files.iter().position(is_empty) {
             Some(index) => Arc::clone(&self.names[index]),
             None => "the four files together".into(),
@@ -139,16 +141,23 @@ fn key(hz: f64) -> u32 {
 }
 
 fn read_companions(files: [(&[u8], &str); 4]) -> Result<Companions, MeasuredError> {
-    let mut read: [BTreeMap<Time, BTreeMap<u32, f64>>; 4] = Default::default();
+    let mut read: [Companion; 4] = Default::default();
     for (i, ((bytes, name), times)) in files.into_iter().zip(&mut read).enumerate() {
         let column = if i < 2 { BEARING } else { RATIO };
         let (mut text, mut bands) = (Text::new(bytes, name)?, Bands::default());
         while let Some(row) = row(&mut text, &column)? {
             bands.note(&row.frequencies_hz, &text);
-            let values = times.entry(row.time).or_default();
-            for (hz, value) in row.frequencies_hz.into_iter().zip(row.values) {
-                if let Some(value) = value {
-                    values.insert(key(hz), value);
+            text.ascending(&row.frequencies_hz)?;
+            let pairs = row.frequencies_hz.into_iter().zip(row.values);
+            let values = pairs.filter_map(|(hz, value)| Some((key(hz), value?))).collect();
+            match times.get(&row.time) {
+                Some((first, known)) if *known != values => {
+                    let record = format!("the directions of {}", row.time);
+                    return Err(text.error(MeasuredProblem::Twice { record, first: *first }));
+                }
+                Some(_) => {}
+                None => {
+                    times.insert(row.time, (text.line(), values));
                 }
             }
         }

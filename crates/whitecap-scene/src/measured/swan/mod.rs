@@ -11,14 +11,14 @@ pub(super) use header::is_swan;
 
 use std::sync::Arc;
 
-use super::{Format, MeasuredError, MeasuredProblem, MeasuredSea, Text, Time};
+use super::{Format, MeasuredError, MeasuredProblem, MeasuredSea, Records, Text, Time};
 use header::Header;
 
 /// Reads every record: every place at every time.
 pub(super) fn read(bytes: &[u8], name: &str) -> Result<Vec<MeasuredSea>, MeasuredError> {
     let mut text = Text::new(bytes, name)?;
     let header = Header::read(&mut text)?;
-    let mut seas = Vec::new();
+    let mut records = Records::default();
     let mut is_first = true;
     loop {
         let mut time = None;
@@ -37,7 +37,7 @@ pub(super) fn read(bytes: &[u8], name: &str) -> Result<Vec<MeasuredSea>, Measure
         }
         is_first = false;
         for place in &header.places {
-            let energy = table::read(&mut text, &header)?;
+            let (begins, energy) = table::read(&mut text, &header)?;
             let sea = MeasuredSea {
                 source: Format::Swan,
                 place: Arc::clone(place),
@@ -45,10 +45,10 @@ pub(super) fn read(bytes: &[u8], name: &str) -> Result<Vec<MeasuredSea>, Measure
                 frequencies_hz: Arc::clone(&header.frequencies_hz),
                 energy,
             };
-            text.push(&mut seas, sea)?;
+            records.push(&text, begins, sea)?;
         }
     }
-    if seas.is_empty() { Err(text.error(MeasuredProblem::NoRecord)) } else { Ok(seas) }
+    records.all(&text)
 }
 
 /// The next line that is no comment.

@@ -9,18 +9,20 @@ use super::super::{Energy, MeasuredError, Text};
 use super::header::{Header, Quantity};
 use super::{expect, first};
 
-/// Reads the table that comes next.
-pub(super) fn read(text: &mut Text<'_>, header: &Header) -> Result<Energy, MeasuredError> {
+/// Reads the table that comes next: the line that it begins in, and what it holds.
+pub(super) fn read(text: &mut Text<'_>, header: &Header) -> Result<(usize, Energy), MeasuredError> {
     const WANTED: [&str; 2] = ["LOCATION, ZERO or NODATA", "FACTOR, ZERO or NODATA"];
     let wanted = WANTED[usize::from(header.toward_rad.is_some())];
     let line = expect(text, wanted)?;
-    match (first(line), &header.toward_rad) {
-        ("ZERO", _) => Ok(Energy::Calm),
-        ("NODATA", _) => Ok(Energy::Missing),
-        ("FACTOR", Some(toward_rad)) => directional(text, header, toward_rad),
-        ("LOCATION", None) => means(text, header),
-        _ => Err(text.unexpected(line, wanted)),
-    }
+    let begins = text.line();
+    let energy = match (first(line), &header.toward_rad) {
+        ("ZERO", _) => Energy::Calm,
+        ("NODATA", _) => Energy::Missing,
+        ("FACTOR", Some(toward_rad)) => directional(text, header, toward_rad)?,
+        ("LOCATION", None) => means(text, header)?,
+        _ => return Err(text.unexpected(line, wanted)),
+    };
+    Ok((begins, energy))
 }
 
 fn directional(
@@ -68,6 +70,9 @@ fn means(text: &mut Text<'_>, header: &Header) -> Result<Energy, MeasuredError> 
                     check(text, of_row)?;
                 }
                 Quantity::Mean(bearing) => mean = Some(bearing.toward_rad(value)),
+                Quantity::Spread if !(0.0..=WIDEST_DEG).contains(&value) => {
+                    return Err(text.unexpected(&value.to_string(), "a spread from 0 to 81.1°"));
+                }
                 Quantity::Spread => spread_deg = Some(value),
                 Quantity::Other => {}
             }
@@ -86,6 +91,9 @@ fn means(text: &mut Text<'_>, header: &Header) -> Result<Energy, MeasuredError> 
     }
     Ok(Energy::Moments { density, moments })
 }
+
+/// The spread of waves that run alike in all directions is √2 rad, and no other is wider; with digits to spare.
+const WIDEST_DEG: f64 = 81.1;
 
 /// The moments of cos^{2s} with this spread σ: r₁ = 1 − σ²/2 (Kuik, van Vledder and Holthuijsen, 1988), s =
 /// r₁/(1 − r₁).

@@ -8,11 +8,18 @@ use whitecap_waves::spectrum::tabulated;
 use whitecap_waves::spectrum::{Profile, WaveSpectrum};
 use whitecap_waves::statistics::significant_height_m;
 
-use super::{asked::HEIGHT, warnings};
+use super::asked::HEIGHT;
+use super::spreading::AnySpreading;
+use super::warnings;
 use crate::error::SceneError;
 use crate::key::{Count, File, Flag, Moment, Name, OneOf, Real, optional, or, required, table, words};
-use crate::measured::{self, Directions, Energy, MeasuredProblem, MeasuredSea, Selection, Time, When};
+use crate::measured::{
+    self, Contradicting, Directions, Energy, MeasuredProblem, MeasuredSea, Selection, Time, When,
+};
 use crate::reader::TableReader;
+
+/// A greater share of the energy than this with directions that contradict each other is worth a warning.
+const CONTRADICTING: f64 = 0.01;
 
 words! {
     /// How directions are made from the moments that a buoy measures.
@@ -42,8 +49,8 @@ table! {
         direction_method: Option<DirectionMethod> = optional(OneOf::<DirectionMethod>::WORDS, "`\"mem\"`");
         /// The bearing that the waves of a file without directions come from, clockwise from north; such a file needs it.
         from_deg: Option<f64> = optional(Real { unit: "deg", min: 0.0, max: 360.0 }, "as the file says");
-        /// How narrow the waves of a file without directions run: the s of cos^2s of half the angle.
-        cos2s: Option<f64> = optional(Real { unit: "", min: 0.0, max: 200.0 }, "10 for a file without directions");
+        /// How narrow the waves of a file without directions run: the s of cos^2s of half the angle, where 1000 is a spread of 2.6°.
+        cos2s: Option<f64> = optional(AnySpreading::EXPONENT, "10 for a file without directions");
     }
 }
 
@@ -121,7 +128,8 @@ impl MeasuredSystem {
         Some(significant_height_m(record.variance_m2()))
     }
 
-    /// Where the newest record is passed over because it lacks waves or directions, where the energy between the file's
+    /// Where the newest record is passed over because it lacks waves or directions, where no waves have directions such as the
+    /// record's, where the energy between the file's
     /// frequencies is not what the file's own sum says, as with few of them, where its frequencies end among its waves,
     /// and where the water cannot carry them.
     pub(super) fn warnings(&self, spectrum: &dyn WaveSpectrum, water: &Dispersion) -> Vec<String> {
@@ -129,7 +137,12 @@ impl MeasuredSystem {
         let Ok(seas) = self.records(table) else { return Vec::new() };
         let Ok(chosen) = self.chosen(table, &seas) else { return Vec::new() };
         let drawn = self.drawn(chosen);
-        let about_file = [self.skipped(&seas, chosen), self.resummed(&drawn, spectrum), self.cut_off(&drawn)];
+        let about_file = [
+            self.skipped(&seas, chosen),
+            self.contradicting(chosen),
+            self.resummed(&drawn, spectrum),
+            self.cut_off(&drawn),
+        ];
         let height_m = significant_height_m(spectrum.variance_m2());
         let peak = Profile::of(&spectrum).peak_wave_number();
         let about_waves = warnings::about_waves(height_m, peak, water, "");
@@ -156,6 +169,18 @@ impl MeasuredSystem {
                     _ => "is of a calm, all values are 0",
                 }
             ),
+        })
+    }
+
+    fn contradicting(&self, chosen: &MeasuredSea) -> Option<String> {
+        let Contradicting { frequencies, of, share } = chosen.contradicting_directions();
+        (share > CONTRADICTING).then(|| {
+            format!(
+                "{}: {frequencies} of {of} frequencies, with {:.1} % of the energy, have directional moments r1, r2, alpha1 and \
+                 alpha2 that no distribution of directions has; there r2 and alpha2 are drawn as the nearest that one has",
+                self.measured.display(),
+                100.0 * share
+            )
         })
     }
 

@@ -27,6 +27,8 @@ pub use pierson_moskowitz::PiersonMoskowitzSystem;
 pub use spreading::{Spreading, SpreadingLaw};
 pub use tma::TmaSystem;
 
+pub(super) use warnings::metres;
+
 use asked::{Asked, HEIGHT};
 use parametric::Parametric;
 

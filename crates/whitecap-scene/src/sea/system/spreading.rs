@@ -30,7 +30,7 @@ pub enum Spreading {
     Law(SpreadingLaw),
     /// cos²ˢ of half the angle from the mean direction.
     Cos2s {
-        /// s.
+        /// s, 0 to 1000: 0 is all directions alike, 1000 a spread of 2.6°.
         cos2s: f64,
     },
 }
@@ -52,7 +52,8 @@ impl From<Spreading> for spreading::Spreading {
 pub(super) struct AnySpreading;
 
 impl AnySpreading {
-    const EXPONENT: Real = Real { unit: "", min: 0.0, max: 1000.0 };
+    /// s, of whatever spectrum: at 1000 directions spread by 2.6°, less than any swell's.
+    pub(super) const EXPONENT: Real = Real { unit: "", min: 0.0, max: 1000.0 };
 
     fn words() -> Vec<&'static str> {
         SpreadingLaw::WORDS.iter().map(|word| word.word).collect()

@@ -107,7 +107,7 @@ pub(super) fn about_waves(height_m: f64, wave_number: f64, water: &Dispersion, r
 }
 
 /// So many decimals, or below a metre three digits.
-fn metres(length_m: f64, decimals: usize) -> String {
+pub(in crate::sea) fn metres(length_m: f64, decimals: usize) -> String {
     let digits = 2.0 - length_m.max(1e-9).log10().floor();
     let decimals = if length_m < 1.0 { digits as usize } else { decimals };
     format!("{length_m:.decimals$}")

@@ -62,6 +62,19 @@ impl DirectionalMoments {
         }
     }
 
+    /// How far c₂ lies outside of the disc |c₂ − c₁²| ≤ 1 − r₁² that every distribution without negative values keeps it in
+    /// (Lygre and Krogstad, 1986: the moments' Toeplitz matrix is positive, |φ₂| ≤ 1); 0 inside. Where r₁ is more than 1, which
+    /// none has, or something is not a number, it is infinite.
+    pub fn contradiction(&self) -> f64 {
+        if !(0.0..=1.0).contains(&self.r1) {
+            return f64::INFINITY;
+        }
+        let c1 = polar(self.r1, self.mean_toward_rad);
+        let away = sub(polar(self.r2, 2.0 * self.principal_toward_rad), mul(c1, c1));
+        let beyond = norm2(away).sqrt() - (1.0 - norm2(c1));
+        if beyond.is_finite() { beyond.max(0.0) } else { f64::INFINITY }
+    }
+
     /// D as a function of θ in radians, never negative, by `method`.
     ///
     /// Moments that contradict each other, which noise in a buoy's record brings, are brought to the nearest
@@ -97,14 +110,13 @@ impl DirectionalMoments {
 
     /// c₁, c₂ and φ₂ of a distribution that exists, with r₁ and |φ₂| no larger than the limits.
     fn consistent(&self, [largest_r1, largest_phi2]: [f64; 2]) -> Coefficients {
-        let polar = |r: f64, angle: f64| {
-            let (sin, cos) = libm::sincos(angle);
-            if r.is_finite() && angle.is_finite() { [r * cos, r * sin] } else { [0.0, 0.0] }
+        let known = |r: f64, angle: f64| {
+            if r.is_finite() && angle.is_finite() { polar(r, angle) } else { [0.0, 0.0] }
         };
         let r1 = self.r1.clamp(0.0, 1.0);
         let q = if r1 > largest_r1 { largest_r1 / r1 } else { 1.0 };
-        let c1 = polar(q * r1, self.mean_toward_rad);
-        let c2 = polar(q * q * self.r2.clamp(0.0, 1.0), 2.0 * self.principal_toward_rad);
+        let c1 = known(q * r1, self.mean_toward_rad);
+        let c2 = known(q * q * self.r2.clamp(0.0, 1.0), 2.0 * self.principal_toward_rad);
         let square = mul(c1, c1);
         let room = 1.0 - norm2(c1);
         let away = sub(c2, square);
@@ -121,6 +133,11 @@ struct Coefficients {
     c1: [f64; 2],
     c2: [f64; 2],
     phi2: [f64; 2],
+}
+
+fn polar(r: f64, angle: f64) -> [f64; 2] {
+    let (sin, cos) = libm::sincos(angle);
+    [r * cos, r * sin]
 }
 
 fn mul(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {

@@ -191,6 +191,49 @@ fn moments_of_cos2s() {
     }
 }
 
+/// Every distribution's moments lie inside, those of one beam and of two on the edge; beyond it by as much as is said.
+#[test]
+fn moments_that_no_distribution_has() {
+    let of = |r1: f64, r2: f64, turned: f64| DirectionalMoments {
+        r1,
+        mean_toward_rad: 2.0,
+        r2,
+        principal_toward_rad: 2.0 + turned,
+    };
+    for s in [0.0, 0.5, 1.0, 8.0, 200.0, 1e5] {
+        assert!(DirectionalMoments::of_cos2s(s, 1.0).contradiction() < 1e-12, "s = {s}");
+    }
+    for sharpness in [0.3, 2.0, 30.0] {
+        let (all, moments) = moments_of(|theta| {
+            (sharpness * (theta - 1.0).cos()).exp() + (sharpness * (theta - 2.5).cos()).exp()
+        });
+        let [a1, b1, a2, b2] = moments.map(|moment| moment / all);
+        let moments = DirectionalMoments {
+            r1: a1.hypot(b1),
+            mean_toward_rad: b1.atan2(a1),
+            r2: a2.hypot(b2),
+            principal_toward_rad: 0.5 * b2.atan2(a2),
+        };
+        assert!(moments.contradiction() == 0.0, "{sharpness}");
+    }
+    for (moments, expected) in [
+        (of(1.0, 1.0, 0.0), 0.0),
+        (of(0.0, 1.0, 0.7), 0.0),
+        (of(0.9, 0.1, 0.0), 0.81 - 0.1 - 0.19),
+        (of(0.5, 0.6, std::f64::consts::FRAC_PI_2), 0.25 + 0.6 - 0.75),
+        (of(0.0, 1.2, 0.0), 0.2),
+    ] {
+        assert!(
+            (moments.contradiction() - expected).abs() < 1e-12,
+            "{moments:?}: {}",
+            moments.contradiction()
+        );
+    }
+    for moments in [of(1.01, 1.0, 0.0), of(-0.1, 0.0, 0.0), of(f64::NAN, 0.0, 0.0), of(0.5, 0.2, f64::NAN)] {
+        assert_eq!(moments.contradiction(), f64::INFINITY);
+    }
+}
+
 /// Moments that no distribution has, or only an infinitely narrow one: an answer near them all the same.
 #[test]
 fn contradictory_moments_are_brought_together() {
