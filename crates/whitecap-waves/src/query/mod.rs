@@ -8,12 +8,14 @@
 //! | [`SpectralSea`](crate::model::spectral::SpectralSea) | a [`Snapshot`], made once for a moment | 1 mm or 0.1 % of the significant height, whichever is larger |
 //! | others | direct sums and iteration | 0.1 mm where waves do not fold |
 //!
-//! Where a crest folds over itself, three heights lie over one place; the answer is one of them.
+//! Where a crest folds over itself, three heights lie over one place or more. A snapshot's answer is then one of the
+//! upright ones: its Jacobian is above 0.
 
 use crate::model::{Surface, SurfacePoint};
 use glam::DVec2;
 use thiserror::Error;
 
+mod inverse;
 mod snapshot;
 
 #[cfg(test)]

@@ -4,14 +4,14 @@
 //! coefficients of a spline. The error of such a grid follows from the spectrum, and grids are made finer until it is
 //! small enough. A question then costs a few dozen products for each tile, however many waves there are.
 
-use super::{QueryError, check};
+use super::{QueryError, check, inverse};
 use crate::model::spectral::evolve::{Column, evolve_column, evolve_velocity_column};
 use crate::model::spectral::{SpectralSea, SpectralTile};
 use crate::model::{Surface, SurfacePoint, WaveModel, spectral::sample::Sums};
 use crate::spline::{self, Taps, error_variance, jet, value};
 use crate::statistics::significant_height_m;
 use crate::transform::{Complex, InverseReal2d, for_each_run, thread_count};
-use glam::{DMat2, DVec2, DVec3, Vec4};
+use glam::{DVec2, DVec3, Vec4};
 
 /// A [`SpectralSea`] at one moment.
 ///
@@ -105,26 +105,9 @@ impl Snapshot {
         Ok(places_m.iter().map(|place| self.over(*place)).collect())
     }
 
-    /// The water over one place, by Newton's method on x + D(x) = place.
+    /// The water over one place, upright.
     fn over(&self, place_m: DVec2) -> SurfacePoint {
-        let mut rest_m = place_m;
-        let mut sums = self.shape(rest_m);
-        for _ in 0..MOST_STEPS {
-            let miss = rest_m + sums.shift - place_m;
-            let [gxx, gxz, gzz] = sums.gradient;
-            let gradient = DMat2::from_cols(DVec2::new(gxx, gxz), DVec2::new(gxz, gzz));
-            let jacobian = DMat2::IDENTITY + gradient;
-            // Near a fold Newton's step would leap; there the plain iteration creeps.
-            let step = if jacobian.determinant() > STEEPEST { jacobian.inverse() * miss } else { 0.7 * miss };
-            rest_m -= step;
-            if step.length_squared() < NEAR_M * NEAR_M {
-                // So near that the surface is a plane.
-                sums.height -= sums.slope.dot(step);
-                sums.shift -= gradient * step;
-                break;
-            }
-            sums = self.shape(rest_m);
-        }
+        let (rest_m, mut sums) = inverse::rest_under(place_m, |rest_m| self.shape(rest_m));
         sums.velocity = self.tiles.iter().map(|tile| tile.velocity(rest_m)).sum();
         sums.surface(self.current_mps)
     }
@@ -137,15 +120,6 @@ impl Snapshot {
         sums
     }
 }
-
-const MOST_STEPS: usize = 24;
-
-/// The step within which a surface is a plane: to half its square times the curvature, which is below 100 per metre
-/// where waves of a centimetre break.
-const NEAR_M: f64 = 5e-4;
-
-/// The Jacobian below which the surface is all but folded.
-const STEEPEST: f64 = 0.2;
 
 /// One tile at one moment.
 struct TileSnapshot {
@@ -257,14 +231,15 @@ fn fraction(x: f64) -> f64 {
     if toward_zero < 0.0 { toward_zero + 1.0 } else { toward_zero }
 }
 
-/// What decides the grids of a tile: size, resolution and variance.
-type Key = (f64, usize, f64);
+/// What decides the grids of a tile: size, resolution, variance and choppiness.
+type Key = (f64, usize, f64, f64);
 
 fn key(tile: &SpectralTile) -> Key {
-    (tile.tile_size_m(), tile.resolution(), tile.variance_m2())
+    (tile.tile_size_m(), tile.resolution(), tile.variance_m2(), tile.parameters().choppiness)
 }
 
-/// The largest error is about five standard deviations, and horizontal errors add a little.
+/// The largest error is about five standard deviations, and horizontal errors add a little. Those are λ times as large
+/// as the height's, so beyond λ = 1 it is they that are held to the bound.
 const DEVIATIONS: f64 = 6.0;
 
 const FINEST_SIDE: usize = 4096;
@@ -277,7 +252,8 @@ fn sides(sea: &SpectralSea) -> Vec<usize> {
     let mut sides: Vec<usize> = sea.tiles().iter().map(coarsest).collect();
     let mut errors: Vec<f64> =
         sea.tiles().iter().zip(&sides).map(|(tile, side)| error_variance_m2(tile, *side)).collect();
-    while errors.iter().sum::<f64>().sqrt() * DEVIATIONS > bound_m {
+    let deviations = DEVIATIONS * sea.parameters().choppiness.abs().max(1.0);
+    while errors.iter().sum::<f64>().sqrt() * deviations > bound_m {
         let worst = (0..sides.len()).max_by(|&a, &b| errors[a].total_cmp(&errors[b])).unwrap_or(0);
         if sides[worst] == FINEST_SIDE {
             break;

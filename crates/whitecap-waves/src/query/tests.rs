@@ -8,7 +8,7 @@ use crate::model::spectral::{
 };
 use crate::spectrum::phillips::{Phillips, PhillipsParameters};
 use crate::statistics::significant_height_m;
-use glam::DVec3;
+use glam::{DMat2, DVec3};
 
 fn wind_sea(wind_speed_mps: f64) -> Phillips {
     Phillips::new(PhillipsParameters {
@@ -124,6 +124,72 @@ fn a_query_is_the_direct_sum_for_any_choppiness() {
         assert!(compared > 100 && (steep > 3 || choppiness < 3.0), "λ {choppiness}: {compared}, {steep}");
         assert!(worst < bound_m, "λ {choppiness}: {worst} of {bound_m}");
     }
+}
+
+fn along(point: &SurfacePoint) -> DVec2 {
+    DVec2::new(point.displacement_m.x, point.displacement_m.z)
+}
+
+/// 1 + ∂D/∂x by differences of direct sums: positive definite where the surface is upright.
+fn stretch(surface: &SpectralSea, rest_m: DVec2, time_s: f64) -> DMat2 {
+    let step_m = 1e-4;
+    let by = |axis: DVec2| {
+        let at = |m: f64| along(&surface.sample(rest_m + m * axis, time_s));
+        (at(step_m) - at(-step_m)) / (2.0 * step_m)
+    };
+    DMat2::IDENTITY + DMat2::from_cols(by(DVec2::X), by(DVec2::Y))
+}
+
+/// At any place, next to folds and beneath them, an answer is a point of the surface by direct sums, on a sheet that is
+/// upright. Its height over the very place is within the bound, and where J is below a tenth, within as many times the
+/// bound: the surface is a wall there.
+#[test]
+fn a_query_finds_upright_water_where_crests_fold() {
+    let (mut next_to_folds, mut beneath_folds, mut steepest) = (0, 0, 0);
+    for (choppiness, wind_speed_mps) in [(2.0, 5.0), (3.0, 8.0), (6.0, 8.0)] {
+        let length = wind_speed_mps * wind_speed_mps / crate::GRAVITY_MPS2;
+        let cascades = Cascade::split(&[(20.0 * length, 32), (3.0 * length, 32)]);
+        let surface = choppy_sea(choppiness, cascades, wind_sea(wind_speed_mps), Water::STILL);
+        let bound_m = (1e-3 * significant_height_m(surface.variance_m2())).max(1e-3);
+        let time_s = 4.0;
+        // Places all over, and those that water is over which all but folds, or is turned over.
+        let mut asked = places(60);
+        let rest_points: Vec<DVec2> = places(12_000).iter().map(|place| 0.01 * place).collect();
+        for rest_m in rest_points {
+            let point = surface.sample(rest_m, time_s);
+            if point.jacobian < 0.25 {
+                asked.push(rest_m + along(&point));
+                next_to_folds += i32::from(point.jacobian > 0.0);
+                beneath_folds += i32::from(point.jacobian < 0.0);
+            }
+        }
+        let found = surface.query(&asked, time_s).unwrap();
+        for (place, found) in asked.iter().zip(found) {
+            let mut rest_m = place - along(&found);
+            let direct = surface.sample(rest_m, time_s);
+            let off = DVec3::new(rest_m.x - place.x, -found.height_m(), rest_m.y - place.y);
+            let off = (direct.displacement_m + off).length();
+            assert!(off < bound_m, "λ {choppiness}: {off} off the surface, of {bound_m}");
+            let upright = stretch(&surface, rest_m, time_s);
+            assert!(found.jacobian > 0.0 && upright.x_axis.x + upright.y_axis.y > 0.0, "{found:?}");
+            assert!(upright.determinant() > -0.01, "{}", upright.determinant());
+            if found.jacobian < 0.02 {
+                steepest += 1;
+                continue; // a wall, whose height is that of any of its points
+            }
+            for _ in 0..8 {
+                let miss = rest_m + along(&surface.sample(rest_m, time_s)) - place;
+                rest_m -= stretch(&surface, rest_m, time_s).inverse() * miss;
+            }
+            let direct = surface.sample(rest_m, time_s);
+            assert!((rest_m + along(&direct) - place).length() < 1e-6);
+            let off = (direct.height_m() - found.height_m()).abs();
+            let bound_m = bound_m * (0.1 / found.jacobian).max(1.0);
+            assert!(off < bound_m, "λ {choppiness}, J {}: {off} of {bound_m}", found.jacobian);
+        }
+    }
+    assert!(next_to_folds > 100 && beneath_folds > 50, "{next_to_folds}, {beneath_folds}");
+    assert!(steepest * 20 < next_to_folds + beneath_folds, "{steepest}");
 }
 
 /// The height over a place is where the water over it is, not the height over the same rest point.

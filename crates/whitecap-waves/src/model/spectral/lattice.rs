@@ -187,12 +187,15 @@ fn initial_amplitudes(
             }
             Amplitudes::Deterministic => {
                 let (near, far) = ring.split_at(ring.len() / 2);
-                for (near, far) in near.iter().zip(far) {
+                let half = near.len();
+                // There and back, so that what is owed moves on in neither sense of rotation.
+                let backwards = ring[0].p % 2 == 0;
+                for i in (0..half).map(|i| if backwards { half - 1 - i } else { i }) {
+                    let (near, far) = (&near[i], &far[i]);
                     let both_m2 = energy(near) + energy(far);
                     let chosen = if one_way.is_far(energy(far), both_m2, near.draw) { far } else { near };
                     set(chosen, 1.0, both_m2);
                 }
-                one_way.next_ring();
             }
         }
     });
@@ -221,10 +224,5 @@ impl OneWay {
             self.owed_to_far_m2 = due_m2 - if is_far { both_m2 } else { 0.0 };
         }
         is_far
-    }
-
-    /// The next ring begins where the last one ended, but there near is far.
-    fn next_ring(&mut self) {
-        self.owed_to_far_m2 = -self.owed_to_far_m2;
     }
 }
