@@ -39,7 +39,9 @@ const PADDING: usize = ROWS;
 /// negative q at N + q as usual. The terms at p = N/2, whose sign nothing determines, are taken as zero.
 /// Column 0 must be Hermitian in itself, H(0, −q) the conjugate of H(0, q).
 ///
-/// The same input gives the same bits for any number of threads.
+/// The same input gives the same bits for any number of threads. rustfft chooses its instructions when the program runs
+/// (AVX with FMA, SSE 4.1, NEON, wasm SIMD, none), and each rounds in an order of its own: between them a field differs
+/// by less than 5e-6 of its r.m.s.
 pub struct InverseReal2d {
     n: usize,
     plan: Arc<dyn Fft<f32>>,
@@ -61,11 +63,15 @@ impl InverseReal2d {
         check("n", n as f64, "a power of two from 16 to 4096", |_| {
             n.is_power_of_two() && (16..=4096).contains(&n)
         })?;
-        let plan = FftPlanner::new().plan_fft_inverse(n);
+        Ok(Self::with_plan(n, FftPlanner::new().plan_fft_inverse(n)))
+    }
+
+    /// The transform by a one-dimensional inverse `plan` for `n` numbers.
+    fn with_plan(n: usize, plan: Arc<dyn Fft<f32>>) -> Self {
         let columns = vec![Complex::default(); n / 2 * (n + PADDING)];
         let mut transform = Self { n, plan, columns, workers: Vec::new() };
         transform.workers.push(transform.new_worker());
-        Ok(transform)
+        transform
     }
 
     /// Numbers in a half spectrum, N²/2.

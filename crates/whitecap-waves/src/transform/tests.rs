@@ -1,5 +1,8 @@
 use super::*;
+use crate::random::uniform;
 use proptest::prelude::*;
+use rand_chacha::ChaCha8Rng;
+use rand_core::SeedableRng;
 use std::f64::consts::TAU;
 
 /// A half spectrum with one term (p, q) of the given value; p = 0 gets its mirror image too.
@@ -88,6 +91,40 @@ fn every_number_of_threads_gives_the_same_bits() {
             run(threads).iter().zip(&alone).all(|(a, b)| a.to_bits() == b.to_bits()),
             "{threads} threads"
         );
+    }
+}
+
+/// Every set of instructions that this machine has gives the same field to within rounding, and the same bits whenever
+/// it is used again.
+#[test]
+fn instruction_sets_differ_by_rounding_alone() {
+    for n in [16, 64, 256, 1024, 4096] {
+        // Noise, as the phases of a sea: what comes in a pattern piles up in a few places, and so does its rounding.
+        let mut rng = ChaCha8Rng::seed_from_u64(n as u64);
+        let mut part = || uniform(&mut rng) as f32 - 0.5;
+        let mut half: Vec<_> = (0..n * n / 2).map(|_| Complex::new(part(), part())).collect();
+        half[..n].fill(Complex::default());
+        let field = |plan: Arc<dyn Fft<f32>>| {
+            let mut out = vec![0.0; n * n];
+            InverseReal2d::with_plan(n, plan).process(&half, &mut out);
+            out
+        };
+        let scalar = field(rustfft::FftPlannerScalar::new().plan_fft_inverse(n));
+        let rms = (scalar.iter().map(|v| f64::from(*v).powi(2)).sum::<f64>() / scalar.len() as f64).sqrt();
+        let chosen = || FftPlanner::new().plan_fft_inverse(n);
+        let others = [
+            ("chosen", Some(chosen())),
+            ("AVX", rustfft::FftPlannerAvx::new().ok().map(|mut planner| planner.plan_fft_inverse(n))),
+            ("SSE", rustfft::FftPlannerSse::new().ok().map(|mut planner| planner.plan_fft_inverse(n))),
+            ("NEON", rustfft::FftPlannerNeon::new().ok().map(|mut planner| planner.plan_fft_inverse(n))),
+        ];
+        for (name, plan) in others.into_iter().filter_map(|(name, plan)| Some((name, plan?))) {
+            let seen = field(Arc::clone(&plan));
+            let worst = seen.iter().zip(&scalar).map(|(a, b)| f64::from((a - b).abs())).fold(0.0, f64::max);
+            assert!(worst < 5e-6 * rms, "{name}, {n}²: {} of the r.m.s.", worst / rms);
+            assert!(field(plan) == seen, "{name}, {n}²");
+        }
+        assert!(field(chosen()) == field(chosen()), "{n}²");
     }
 }
 
