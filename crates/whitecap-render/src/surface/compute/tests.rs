@@ -1,5 +1,5 @@
-//! The fields of a whole sea; `tests/one_wave.rs` has those of one wave, `tests/phases.rs` its parts, and
-//! `tests/maps.rs` the maps.
+//! The fields of a whole sea; `tests/one_wave.rs` has those of one wave, `tests/phases.rs` its parts,
+//! `tests/maps.rs` the maps, and `tests/seas.rs` other kinds of sea.
 
 use super::waves::GpuTile;
 use super::*;
@@ -15,6 +15,7 @@ use whitecap_waves::spectrum::phillips::{Phillips, PhillipsParameters};
 mod maps;
 mod one_wave;
 mod phases;
+mod seas;
 
 const ON_SAMPLES: Vertices = Vertices::OnSamples { repeats: 1 };
 

@@ -12,11 +12,15 @@ use whitecap_waves::model::{Surface, SurfacePoint};
 /// A mesh of eight tiles in a row has 1024 vertices if it skips every other sample of 256.
 const EIGHT_TILES: Vertices = Vertices::OnSamples { repeats: 8 };
 
+pub(super) fn maps_of(gpu: &Gpu, backend: Backend, sea: Box<SpectralTile>, vertices: Vertices) -> TileMaps {
+    let maps = TileMaps::new(&gpu.device, &gpu.queue, Some(backend), sea, vertices).unwrap();
+    assert_eq!(maps.backend(), backend);
+    maps
+}
+
 fn maps_at(gpu: &Gpu, backend: Backend, n: usize, vertices: Vertices, time_s: f64) -> TileMaps {
     let (device, queue) = (&gpu.device, &gpu.queue);
-    let sea = Box::new(sea(n, 1.0));
-    let mut maps = TileMaps::new(device, queue, Some(backend), sea, vertices).unwrap();
-    assert_eq!(maps.backend(), backend);
+    let mut maps = maps_of(gpu, backend, Box::new(sea(n, 1.0)), vertices);
     for time_s in [time_s + 5.0, time_s] {
         let mut encoder = device.create_command_encoder(&Default::default());
         maps.update(queue, &mut encoder, time_s);
@@ -25,11 +29,11 @@ fn maps_at(gpu: &Gpu, backend: Backend, n: usize, vertices: Vertices, time_s: f6
     maps
 }
 
-fn floats(gpu: &Gpu, texture: &wgpu::Texture) -> Vec<f32> {
+pub(super) fn floats(gpu: &Gpu, texture: &wgpu::Texture) -> Vec<f32> {
     bytemuck::pod_collect_to_vec(&read_level(&gpu.device, &gpu.queue, texture, 0).unwrap())
 }
 
-fn texels(gpu: &Gpu, maps: &TileMaps, mip: u32) -> Vec<[f32; 4]> {
+pub(super) fn texels(gpu: &Gpu, maps: &TileMaps, mip: u32) -> Vec<[f32; 4]> {
     let bytes = read_level(&gpu.device, &gpu.queue, &maps.textures.normals, mip).unwrap();
     let halves: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&bytes);
     halves.into_iter().map(|texel| texel.map(f16::to_f32)).collect()
