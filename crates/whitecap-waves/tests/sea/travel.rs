@@ -4,9 +4,15 @@ use crate::{TILE, WIND, one_wave, wind_sea};
 use glam::DVec2;
 use whitecap_waves::direction::toward_from_nautical;
 use whitecap_waves::dispersion::Dispersion;
-use whitecap_waves::model::spectral::SpectralTileParameters;
+use whitecap_waves::model::spectral::{
+    Amplitudes, Cascade, CascadeBudget, SpectralSea, SpectralSeaParameters, SpectralTileParameters, Water,
+};
 use whitecap_waves::model::{Surface, TileFields, WaveModel};
+use whitecap_waves::spectrum::directional::{Directional, DirectionalParameters};
+use whitecap_waves::spectrum::jonswap::Jonswap;
 use whitecap_waves::spectrum::phillips::PhillipsParameters;
+use whitecap_waves::spreading::{Spread, Spreading};
+use whitecap_waves::statistics::LatticeWaves;
 
 /// All around the compass, on the axes, the diagonals and between.
 const LATTICE: [(f64, f64); 12] = [
@@ -82,6 +88,51 @@ fn a_wind_sea_runs_with_the_wind() {
         }
         let aim = flux.normalize().dot(toward);
         assert!(aim > 0.98, "from {from_deg}: {aim}");
+    }
+}
+
+/// The surface of a planned sea has the spectrum's mean direction wherever that points: to rounding of the lattice where
+/// no waves run against the others, and otherwise to a tenth of a degree r.m.s., to neither side.
+#[test]
+fn a_planned_sea_has_its_mean_direction() {
+    let exponent = |exponent| Spreading::Cos2s { exponent };
+    for (spreading, rms_deg) in
+        [(exponent(15.0), 0.02), (Spreading::CosSquared, 0.02), (Spreading::Hasselmann, 0.13)]
+    {
+        let mut off_deg = Vec::new();
+        for from_deg in (0..360).step_by(15) {
+            let parameters = DirectionalParameters {
+                spread: Spread { spreading, swell: 0.0 },
+                toward: toward_from_nautical(f64::from(from_deg)),
+                dispersion: Dispersion::DEEP,
+            };
+            let jonswap = Jonswap::from_height_and_period(2.0, 7.0, 3.3).unwrap();
+            let systems = [Directional::new(jonswap, parameters).unwrap()];
+            let budget =
+                CascadeBudget { tile_size_m: None, shortest_wave_m: 0.1, cascades: 3, resolution: 64 };
+            for seed in 0..4 {
+                let sea = SpectralSeaParameters {
+                    cascades: Cascade::plan(&systems, budget),
+                    choppiness: 1.0,
+                    water: Water::STILL,
+                    seed,
+                    amplitudes: Amplitudes::Deterministic,
+                };
+                let mut sum = DVec2::ZERO;
+                for mut tile in SpectralSea::new(sea, &systems).unwrap().into_tiles() {
+                    let mut fields = TileFields::default();
+                    let waves = LatticeWaves::measure(&mut tile, &Water::STILL, 10.0, &mut fields);
+                    sum += waves.sum(&Water::STILL).1.toward_m2;
+                }
+                off_deg.push(parameters.toward.angle_to(sum).to_degrees());
+            }
+        }
+        let mean = |values: &dyn Fn(f64) -> f64| {
+            off_deg.iter().map(|off| values(*off)).sum::<f64>() / off_deg.len() as f64
+        };
+        let (mean, rms) = (mean(&|off| off), mean(&|off| off * off).sqrt());
+        assert!(rms < rms_deg, "{spreading:?}: {rms}°");
+        assert!(mean.abs() < 0.3 * rms_deg, "{spreading:?}: {mean}°");
     }
 }
 
