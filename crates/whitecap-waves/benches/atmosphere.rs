@@ -1,6 +1,6 @@
 //! What a scene's sky costs before its first frame: the tables of the air, and the sky from sea level by day and in dusk, when
 //! the edge of the Earth's shadow divides every ray anew. Together, with the passes of a first view (some 12 ms on two cores
-//! and a software adapter), they are to take 150 ms on two cores.
+//! and a software adapter), they are to take 150 ms on two cores; of one core's time they take 150 by day and 190 in dusk.
 
 use criterion::Criterion;
 use glam::DVec3;

@@ -12,7 +12,7 @@ use super::medium::Medium;
 use super::quadrature::gauss_legendre;
 use super::shell::{GROUND_KM, Ray, Steps, TOP_KM, horizon_mu};
 use super::table::{Table, fourth_power, place};
-use super::transmittance::{Level, Transmittance};
+use super::transmittance::Transmittance;
 use glam::DVec3;
 use std::f64::consts::{FRAC_1_PI, PI};
 
@@ -39,17 +39,24 @@ const SPOKES: u32 = 8;
 const HIGH_SUN: f64 = 0.2;
 const SUNKEN_SUN: f64 = -0.1;
 
+/// Air that is turned by less than this at the Earth's centre, 32 km, has two at all times: the sun stands as high in all of it.
+const NEARBY: f64 = 0.005;
+
 /// The fourth roots of Ψ.
 pub(super) fn table(air: &Transmittance) -> Table {
     let unit = |i: usize, n: usize| i as f64 / (n - 1) as f64;
-    let places: Vec<Place<'_>> = (0..INTEGRATED[1])
-        .map(|row| Place::new(air, TOP_KM * unit(row, INTEGRATED[1]).powi(2), RINGS, STEPS))
-        .collect();
     let [low, high] = [LOWEST_MU_S, 1.0].map(bent);
-    let integrated = Table::fill(INTEGRATED, |column, row| {
-        let x = low + unit(column, INTEGRATED[0]) * (high - low);
-        let mu_s = (SUNSET * x / (1.0 - x.abs())).clamp(-1.0, 1.0);
-        places[row].light(mu_s, spokes(mu_s)).powf(0.25)
+    let suns: Vec<Sun> = (0..INTEGRATED[0])
+        .map(|column| {
+            let x = low + unit(column, INTEGRATED[0]) * (high - low);
+            let mu_s = (SUNSET * x / (1.0 - x.abs())).clamp(-1.0, 1.0);
+            Sun::new(mu_s, spokes(mu_s))
+        })
+        .collect();
+    let integrated = Table::fill_rows(INTEGRATED, |row, entries| {
+        let height_km = TOP_KM * unit(row, INTEGRATED[1]).powi(2);
+        entries.copy_from_slice(&light(air, height_km, &suns, RINGS, STEPS));
+        entries.iter_mut().for_each(|entry| *entry = entry.powf(0.25));
     });
     integrated.refined(REFINED)
 }
@@ -66,9 +73,6 @@ pub(super) fn row(table: &Table, height_km: f64) -> (usize, f64) {
     place((height_km / TOP_KM).clamp(0.0, 1.0).sqrt() * (rows - 1) as f64, rows)
 }
 
-/// Air that is turned by less than this at the Earth's centre, 32 km, has two at all times: the sun stands as high in all of it.
-const NEARBY: f64 = 0.005;
-
 fn spokes(mu_s: f64) -> u32 {
     if mu_s > HIGH_SUN {
         SPOKES / 2
@@ -83,86 +87,75 @@ fn bent(mu_s: f64) -> f64 {
     mu_s / (SUNSET + mu_s.abs())
 }
 
-/// A height, and what does not depend on the sun of all that is seen from it: Hillaire 2020, equations 5 to 10.
+/// A sun, and the cosines of its azimuths times the sine of its zenith angle.
+pub(super) struct Sun {
+    mu_s: f64,
+    all: Vec<f64>,
+    few: Vec<f64>,
+}
+
+impl Sun {
+    pub(super) fn new(mu_s: f64, spokes: u32) -> Sun {
+        let sin_s = (1.0 - mu_s * mu_s).max(0.0).sqrt();
+        let azimuths = |spokes: u32| {
+            (0..spokes).map(|i| (PI * (f64::from(i) + 0.5) / f64::from(spokes)).cos() * sin_s).collect()
+        };
+        Sun { mu_s, all: azimuths(spokes), few: azimuths(2) }
+    }
+}
+
+/// Ψ at a height under each of some suns: the second order over all directions, and the geometric series of those that
+/// follow (Hillaire 2020, equations 5 to 10).
 ///
 /// Directions are Gauss–Legendre's over the root of the distance from the horizon, on each side of it: the light from
 /// near the horizon is most of it high up and with a low sun, and even rings miss it by a tenth.
-pub(super) struct Place<'a> {
-    seen: Vec<Seen<'a>>,
-    /// The share of light that is scattered once more.
-    share: DVec3,
-}
-
-/// A piece of air, or of the ground where a ray ends, seen from a height.
-struct Seen<'a> {
-    level: Level<'a>,
-    /// Cosine and sine of the angle, at the Earth's centre, between it and the eye.
-    turned: [f64; 2],
-    is_ground: bool,
-    /// What its sunlight counts, with the phase function or reflectance.
-    weight: DVec3,
-}
-
-impl<'a> Place<'a> {
-    pub(super) fn new(air: &'a Transmittance, height_km: f64, rings: u32, steps: Steps) -> Place<'a> {
-        let isotropic = 0.25 * FRAC_1_PI;
-        let horizon = horizon_mu(height_km);
-        let rings = gauss_legendre(rings);
-        let (mut seen, mut share) = (Vec::new(), DVec3::ZERO);
-        for (downward, &(x, ring_weight)) in
-            [true, false].into_iter().flat_map(|d| rings.iter().map(move |r| (d, r)))
-        {
-            let range = if downward { -1.0 - horizon } else { 1.0 - horizon };
-            let mu = horizon + range * x * x;
-            // Of the whole sphere: half the difference of the cosines.
-            let solid = range.abs() * x * ring_weight;
-            let ray = Ray::whole(height_km, mu, downward);
-            let turned = |at_km: f64, here_km: f64| {
-                [GROUND_KM + height_km + at_km * mu, at_km * (1.0 - mu * mu).sqrt()]
-                    .map(|x| x / (GROUND_KM + here_km))
-            };
-            let mut through = DVec3::ONE;
-            for (at_km, length_km) in ray.nodes([ray.length_km; 2], steps) {
-                let here_km = ray.height_at(at_km).min(TOP_KM);
-                let medium = Medium::at(here_km, air.haze);
-                let passed = (-medium.extinction() * length_km).exp();
-                let scattered = solid * medium.scattering() / medium.extinction() * through * (1.0 - passed);
-                let (level, turned) = (air.at(here_km), turned(at_km, here_km));
-                seen.push(Seen { level, turned, is_ground: false, weight: isotropic * scattered });
-                share += scattered;
-                through *= passed;
+pub(super) fn light(
+    air: &Transmittance,
+    height_km: f64,
+    suns: &[Sun],
+    rings: u32,
+    steps: Steps,
+) -> Vec<DVec3> {
+    let isotropic = 0.25 * FRAC_1_PI;
+    let horizon = horizon_mu(height_km);
+    let rings = gauss_legendre(rings);
+    let (mut second, mut share) = (vec![DVec3::ZERO; suns.len()], DVec3::ZERO);
+    for (downward, &(x, ring_weight)) in
+        [true, false].into_iter().flat_map(|d| rings.iter().map(move |r| (d, r)))
+    {
+        let range = if downward { -1.0 - horizon } else { 1.0 - horizon };
+        let mu = horizon + range * x * x;
+        // Of the whole sphere: half the difference of the cosines.
+        let solid = range.abs() * x * ring_weight;
+        let ray = Ray::whole(height_km, mu, downward);
+        let mut add = |at_km: f64, here_km: f64, weight: DVec3, is_ground: bool| {
+            // All suns in turn: they read the same rows of the table.
+            let level = air.at(here_km);
+            let [cos, sin] = [GROUND_KM + height_km + at_km * mu, at_km * (1.0 - mu * mu).sqrt()]
+                .map(|x| x / (GROUND_KM + here_km));
+            for (sun, second) in suns.iter().zip(&mut second) {
+                let azimuths = if sin < NEARBY { &sun.few } else { &sun.all };
+                let of_sun = |azimuth: &f64| {
+                    let sun_mu = cos * sun.mu_s + sin * azimuth;
+                    let onto = if is_ground { sun_mu.max(0.0) } else { 1.0 };
+                    onto * level.of_sun(sun_mu)
+                };
+                *second += weight * azimuths.iter().map(of_sun).sum::<DVec3>() / azimuths.len() as f64;
             }
-            if downward {
-                let weight = solid * through * GROUND_ALBEDO * FRAC_1_PI;
-                seen.push(Seen {
-                    level: air.at(0.0),
-                    turned: turned(ray.length_km, 0.0),
-                    is_ground: true,
-                    weight,
-                });
-            }
-        }
-        Place { seen, share }
-    }
-
-    /// Ψ: the second order over all directions, and the geometric series of those that follow.
-    pub(super) fn light(&self, mu_s: f64, spokes: u32) -> DVec3 {
-        let sin_s = (1.0 - mu_s * mu_s).max(0.0).sqrt();
-        let azimuths = |spokes: u32| -> Vec<f64> {
-            (0..spokes).map(|i| (PI * (f64::from(i) + 0.5) / f64::from(spokes)).cos() * sin_s).collect()
         };
-        let (all, few) = (azimuths(spokes), azimuths(2));
-        let mut second = DVec3::ZERO;
-        for seen in &self.seen {
-            let [cos, sin] = seen.turned;
-            let of_sun = |azimuth: &f64| {
-                let sun_mu = cos * mu_s + sin * azimuth;
-                let onto = if seen.is_ground { sun_mu.max(0.0) } else { 1.0 };
-                onto * seen.level.of_sun(sun_mu)
-            };
-            let azimuths = if sin < NEARBY { &few } else { &all };
-            second += seen.weight * azimuths.iter().map(of_sun).sum::<DVec3>() / azimuths.len() as f64;
+        let mut through = DVec3::ONE;
+        for (at_km, length_km) in ray.nodes([ray.length_km; 2], steps) {
+            let here_km = ray.height_at(at_km).min(TOP_KM);
+            let medium = Medium::at(here_km, air.haze);
+            let passed = (-medium.extinction() * length_km).exp();
+            let scattered = solid * medium.scattering() / medium.extinction() * through * (1.0 - passed);
+            add(at_km, here_km, isotropic * scattered, false);
+            share += scattered;
+            through *= passed;
         }
-        second / (1.0 - self.share)
+        if downward {
+            add(ray.length_km, 0.0, solid * through * GROUND_ALBEDO * FRAC_1_PI, true);
+        }
     }
+    second.into_iter().map(|second| second / (1.0 - share)).collect()
 }

@@ -13,13 +13,18 @@ pub struct Table {
 impl Table {
     /// Calculates every entry from its column and row.
     pub(super) fn fill(size: [usize; 2], value: impl Fn(usize, usize) -> DVec3 + Sync) -> Table {
-        let mut values = vec![DVec3::ZERO; size[0] * size[1]];
-        let mut workers = vec![(); thread_count(values.len())];
-        for_each_run(&mut values, size[0], &mut workers, |row, entries, ()| {
+        Table::fill_rows(size, |row, entries| {
             for (column, entry) in entries.iter_mut().enumerate() {
                 *entry = value(column, row);
             }
-        });
+        })
+    }
+
+    /// Lets `fill` calculate the entries of every row.
+    pub(super) fn fill_rows(size: [usize; 2], fill: impl Fn(usize, &mut [DVec3]) + Sync) -> Table {
+        let mut values = vec![DVec3::ZERO; size[0] * size[1]];
+        let mut workers = vec![(); thread_count(values.len())];
+        for_each_run(&mut values, size[0], &mut workers, |row, entries, ()| fill(row, entries));
         Table { size, values }
     }
 

@@ -67,13 +67,16 @@ fn the_table_of_multiple_scattering_agrees_with_integrating() {
             let mut most = 0.0_f64;
             for height_km in [0.01, 0.7, 3.3, 8.3, 12.1, 20.0, 32.0, 47.0] {
                 let fine = Steps { longest: 1.5, fewest: 16.0 };
-                let place = multiple::Place::new(&air.transmittance, height_km, 40, fine);
-                for i in 0..20 {
-                    let elevation_deg: f64 = lowest_deg + (highest_deg - lowest_deg) * f64::from(i) / 19.0;
-                    let mu_s = elevation_deg.to_radians().sin();
-                    let row = multiple::row(&air.multiple, height_km);
-                    let found = multiple::sample_row(&air.multiple, row, mu_s);
-                    most = most.max(error_of(found, place.light(mu_s, 28), NIGHT / depth_above(height_km)));
+                let mus: Vec<f64> = (0..20)
+                    .map(|i| lowest_deg + (highest_deg - lowest_deg) * f64::from(i) / 19.0)
+                    .map(|elevation_deg: f64| elevation_deg.to_radians().sin())
+                    .collect();
+                let suns: Vec<_> = mus.iter().map(|mu_s| multiple::Sun::new(*mu_s, 28)).collect();
+                let direct = multiple::light(&air.transmittance, height_km, &suns, 40, fine);
+                let row = multiple::row(&air.multiple, height_km);
+                for (mu_s, direct) in mus.iter().zip(direct) {
+                    let found = multiple::sample_row(&air.multiple, row, *mu_s);
+                    most = most.max(error_of(found, direct, NIGHT / depth_above(height_km)));
                 }
             }
             println!("multiple scattering, haze {haze}, sun from {lowest_deg}°: {most:.4}");
