@@ -7,7 +7,7 @@
 //!
 //! Hillaire's volume follows the picture. Ours goes by azimuth from the sun, elevation from the horizon and the root of the
 //! share of the way to where the ray ends, and holds the light that the air adds over the share that it takes: that hardly
-//! changes along a ray, so that 32 entries each way do for a whole sphere.
+//! changes along a ray, so that 48 × 80 × 48 entries do for a whole sphere.
 
 use crate::View;
 use crate::environment::{Air, Light, SUN_KLX};
@@ -26,8 +26,8 @@ const HIGHEST_EYE_M: f64 = 60e3;
 const CLOUDS_FADE_M: [f64; 2] = [3e3, 9e3];
 
 /// Entries of the tables, as `sky_light.wesl` has them.
-const SKY_SIZE: [u32; 2] = [192, 108];
-const AERIAL_SIZE: u32 = 32;
+const SKY_SIZE: [u32; 2] = [128, 128];
+const AERIAL_SIZE: [u32; 3] = [48, 80, 48];
 
 /// Layout twin of `GpuAir` in `atmosphere.wesl`.
 #[repr(C)]
@@ -158,7 +158,8 @@ impl Skies {
                     aerial: pipeline(device, &shader_lib::ATMOSPHERE_AERIAL),
                 };
                 (
-                    upload("sky at sea level", sea_level.table(), f64::from(SUN_KLX)),
+                    // The table holds roots.
+                    upload("sky at sea level", sea_level.table(), f64::from(SUN_KLX).sqrt()),
                     upload("transmittance", atmosphere.transmittance_table(), 1.0),
                     Some(passes),
                     *has_clouds,
@@ -240,9 +241,10 @@ impl Skies {
                 label: Some("atmosphere"),
                 timestamp_writes: None,
             });
-            for (pipeline, groups, [x, y]) in
-                [(&passes.sky_view, sky_view, SKY_SIZE), (&passes.aerial, aerial, [AERIAL_SIZE; 2])]
-            {
+            for (pipeline, groups, [x, y]) in [
+                (&passes.sky_view, sky_view, SKY_SIZE),
+                (&passes.aerial, aerial, [AERIAL_SIZE[0], AERIAL_SIZE[1]]),
+            ] {
                 pass.set_pipeline(pipeline);
                 pass.set_bind_group(0, &groups[0], &[]);
                 pass.set_bind_group(1, &groups[1], &[]);
@@ -270,7 +272,7 @@ impl Skies {
         let sky_view =
             texture_2d(device, "sky", SKY_SIZE.map(size), 1, wgpu::TextureFormat::Rgba16Float, storage)
                 .create_view(&Default::default());
-        let aerial = volume(device, size(AERIAL_SIZE)).create_view(&Default::default());
+        let aerial = volume(device, AERIAL_SIZE.map(size)).create_view(&Default::default());
         let of_view = [
             self.picture.as_entire_binding(),
             uniform.as_entire_binding(),
@@ -327,10 +329,10 @@ fn pipeline(device: &wgpu::Device, shader: &Shader) -> wgpu::ComputePipeline {
     })
 }
 
-fn volume(device: &wgpu::Device, size: u32) -> wgpu::Texture {
+fn volume(device: &wgpu::Device, [width, height, depth]: [u32; 3]) -> wgpu::Texture {
     device.create_texture(&wgpu::TextureDescriptor {
         label: Some("aerial perspective"),
-        size: wgpu::Extent3d { width: size, height: size, depth_or_array_layers: size },
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: depth },
         mip_level_count: 1,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D3,

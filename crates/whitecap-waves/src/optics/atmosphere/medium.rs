@@ -18,9 +18,18 @@ const MIE_HEIGHT_KM: f64 = 1.2;
 const MIE_ASYMMETRY: f64 = 0.8;
 
 /// Absorption by ozone where it is densest, 1/km: at 25 km, falling evenly to nothing at 10 and 40 km.
-const OZONE_PER_KM: DVec3 = DVec3::new(0.000_650, 0.001_881, 0.000_085);
+pub(super) const OZONE_PER_KM: DVec3 = DVec3::new(0.000_650, 0.001_881, 0.000_085);
 const OZONE_HEIGHT_KM: f64 = 25.0;
 const OZONE_HALF_WIDTH_KM: f64 = 15.0;
+
+/// Where its density has corners, km.
+pub(super) const OZONE_EDGES_KM: [f64; 3] =
+    [OZONE_HEIGHT_KM - OZONE_HALF_WIDTH_KM, OZONE_HEIGHT_KM, OZONE_HEIGHT_KM + OZONE_HALF_WIDTH_KM];
+
+/// Its density at a height, as a share of the greatest.
+pub(super) fn ozone(height_km: f64) -> f64 {
+    (1.0 - (height_km - OZONE_HEIGHT_KM).abs() / OZONE_HALF_WIDTH_KM).max(0.0)
+}
 
 /// Coefficients at one height, 1/km.
 #[derive(Clone, Copy, Debug)]
@@ -29,8 +38,10 @@ pub(super) struct Medium {
     pub(super) rayleigh: DVec3,
     /// Scattering by aerosols.
     pub(super) mie: f64,
-    /// Scattering and absorption by all.
-    pub(super) extinction: DVec3,
+    /// Scattering and absorption by molecules and aerosols: what has no corners over the height.
+    pub(super) smooth_extinction: DVec3,
+    /// Ozone, as a share of its greatest density.
+    pub(super) ozone: f64,
 }
 
 impl Medium {
@@ -38,12 +49,17 @@ impl Medium {
     pub(super) fn at(height_km: f64, haze: f64) -> Medium {
         let rayleigh = RAYLEIGH_PER_KM * (-height_km / RAYLEIGH_HEIGHT_KM).exp();
         let aerosols = haze * (-height_km / MIE_HEIGHT_KM).exp();
-        let tent = (1.0 - (height_km - OZONE_HEIGHT_KM).abs() / OZONE_HALF_WIDTH_KM).max(0.0);
         Medium {
             rayleigh,
             mie: MIE_SCATTERING_PER_KM * aerosols,
-            extinction: rayleigh + MIE_EXTINCTION_PER_KM * aerosols + OZONE_PER_KM * tent,
+            smooth_extinction: rayleigh + MIE_EXTINCTION_PER_KM * aerosols,
+            ozone: ozone(height_km),
         }
+    }
+
+    /// Scattering and absorption by all, 1/km.
+    pub(super) fn extinction(&self) -> DVec3 {
+        self.smooth_extinction + OZONE_PER_KM * self.ozone
     }
 
     /// Scattering by all, 1/km.

@@ -15,6 +15,7 @@
 
 mod medium;
 mod multiple;
+mod quadrature;
 mod shell;
 mod sky;
 mod table;
@@ -26,8 +27,8 @@ pub use table::Table;
 
 use glam::DVec3;
 use medium::Medium;
-use shell::{Ray, TOP_KM, horizon_mu};
-use transmittance::Transmittance;
+use shell::{Ray, Steps, TOP_KM, horizon_mu};
+use transmittance::{Level, Transmittance};
 
 /// The sun's angular radius seen from Earth, radians (0.2666°).
 pub const SUN_RADIUS_RAD: f64 = 0.004_653;
@@ -35,8 +36,8 @@ pub const SUN_RADIUS_RAD: f64 = 0.004_653;
 /// An eye counts as at least this high, so that it has something of a horizon.
 pub const LOWEST_EYE_M: f64 = 1.0;
 
-/// Steps along a ray of [`Atmosphere::radiance`].
-const STEPS: u32 = 40;
+/// Along a ray of [`Atmosphere::radiance`].
+const STEPS: Steps = Steps { longest: 1.2, fewest: 14.0 };
 
 /// The air: what of it does not depend on where the sun and the eye are.
 #[derive(Clone, Debug)]
@@ -93,20 +94,9 @@ impl Atmosphere {
     /// Radiance of the clear sky without the sun's disc, for an eye at `eye_height_m` (up to 60 km). Below the horizon it is the
     /// light of the air before the ground, without the ground's.
     pub fn radiance(&self, eye_height_m: f64, direction: DVec3, toward_sun: DVec3) -> DVec3 {
-        let downward = direction.y < horizon_mu(eye_km(eye_height_m));
-        self.radiance_beside(eye_height_m, direction, toward_sun, downward)
-    }
-
-    /// The same on the side of the horizon that is asked for, also on the horizon itself.
-    fn radiance_beside(
-        &self,
-        eye_height_m: f64,
-        direction: DVec3,
-        toward_sun: DVec3,
-        downward: bool,
-    ) -> DVec3 {
-        let ray = Ray::whole(eye_km(eye_height_m), direction.y, downward);
-        self.march(&ray, toward_sun.y, direction.dot(toward_sun), STEPS).in_scattered
+        let (height_km, mu) = (eye_km(eye_height_m), direction.y);
+        let ray = Ray::whole(height_km, mu, mu < horizon_mu(height_km));
+        self.lit(&ray, toward_sun.y, direction.dot(toward_sun)).in_scattered
     }
 
     /// What the air between an eye and something `distance_m` away does to it. Beyond the end of the air or the ground
@@ -121,27 +111,63 @@ impl Atmosphere {
         let (height_km, mu) = (eye_km(eye_height_m), direction.y);
         let whole = Ray::whole(height_km, mu, mu < horizon_mu(height_km));
         let ray = Ray { length_km: whole.length_km.min(distance_m / 1e3), ..whole };
-        self.march(&ray, toward_sun.y, direction.dot(toward_sun), STEPS)
+        self.lit(&ray, toward_sun.y, direction.dot(toward_sun))
+    }
+
+    fn lit(&self, ray: &Ray, mu_s: f64, nu: f64) -> AerialPerspective {
+        let path = Path::new(self, ray, ray.shadow(mu_s, nu), STEPS);
+        AerialPerspective { in_scattered: path.light(self, ray, mu_s, nu), transmittance: path.transmittance }
+    }
+}
+
+/// The air along a ray, whatever the sun.
+struct Path<'a> {
+    pieces: Vec<Piece<'a>>,
+    transmittance: DVec3,
+}
+
+/// The air that a node of a ray stands for.
+struct Piece<'a> {
+    at_km: f64,
+    level: Level<'a>,
+    row: (usize, f64),
+    /// What it scatters to the ray's start, by molecules and by aerosols, of light of 1.
+    rayleigh: DVec3,
+    mie: DVec3,
+}
+
+impl<'a> Path<'a> {
+    fn new(air: &'a Atmosphere, ray: &Ray, shadow: [f64; 2], steps: Steps) -> Path<'a> {
+        let mut through = DVec3::ONE;
+        let pieces = ray.nodes(shadow, steps).map(|(at_km, length_km)| {
+            let height_km = ray.height_at(at_km).min(TOP_KM);
+            let medium = Medium::at(height_km, air.haze());
+            let extinction = medium.extinction();
+            let passed = (-extinction * length_km).exp();
+            let taken = through * (1.0 - passed) / extinction;
+            through *= passed;
+            Piece {
+                at_km,
+                level: air.transmittance.at(height_km),
+                row: multiple::row(&air.multiple, height_km),
+                rayleigh: taken * medium.rayleigh,
+                mie: taken * medium.mie,
+            }
+        });
+        let pieces = pieces.collect();
+        Path { pieces, transmittance: through }
     }
 
     /// Hillaire 2020, equations 1 to 4 with his Ψ: what is scattered towards the start of the ray, with the integral
-    /// over each step done exactly for the light and the air in its middle.
-    fn march(&self, ray: &Ray, mu_s: f64, nu: f64, steps: u32) -> AerialPerspective {
+    /// over each part done exactly for the light and the air of its node.
+    fn light(&self, air: &Atmosphere, ray: &Ray, mu_s: f64, nu: f64) -> DVec3 {
         let (phase_rayleigh, phase_mie) = (rayleigh_phase(nu), mie_phase(nu));
-        let mut in_scattered = DVec3::ZERO;
-        let mut through = DVec3::ONE;
-        for (at_km, length_km) in ray.steps(steps) {
-            let height_km = ray.height_at(at_km).min(TOP_KM);
-            let sun_mu = ray.sun_at(at_km, mu_s, nu);
-            let medium = Medium::at(height_km, self.haze());
-            let once = (medium.rayleigh * phase_rayleigh + medium.mie * phase_mie)
-                * self.transmittance.of_sun(height_km, sun_mu);
-            let more = medium.scattering() * multiple::sample(&self.multiple, height_km, sun_mu);
-            let passed = (-medium.extinction * length_km).exp();
-            in_scattered += through * (once + more) * (1.0 - passed) / medium.extinction;
-            through *= passed;
-        }
-        AerialPerspective { in_scattered, transmittance: through }
+        let scattered = |piece: &Piece<'_>| {
+            let sun_mu = ray.sun_at(piece.at_km, piece.level.height_km, mu_s, nu);
+            (piece.rayleigh * phase_rayleigh + piece.mie * phase_mie) * piece.level.of_sun(sun_mu)
+                + (piece.rayleigh + piece.mie) * multiple::sample_row(&air.multiple, piece.row, sun_mu)
+        };
+        self.pieces.iter().map(scattered).sum()
     }
 }
 
