@@ -95,9 +95,10 @@ impl Tiling {
 
     /// What its view shows of these spectra, but no longer than leaves [`WHOLE`] of each of them and [`WHOLE_SEA`] of all.
     fn shortest_wave_of(&self, spectra: &[Box<dyn WaveSpectrum>]) -> f64 {
-        let above_m = |profile: Profile, share| TAU / profile.wave_number_below(share);
-        let of_each = spectra.iter().map(|spectrum| above_m(Profile::of(spectrum), WHOLE));
-        let of_all = above_m(Profile::of_sum(spectra), WHOLE_SEA);
+        let above_m = |profile: &Profile, share| TAU / profile.wave_number_below(share);
+        let profiles: Vec<Profile> = spectra.iter().map(Profile::of).collect();
+        let of_each = profiles.iter().map(|profile| above_m(profile, WHOLE));
+        let of_all = above_m(&Profile::sum(&profiles), WHOLE_SEA);
         of_each.fold(self.shortest_wave_m.min(of_all), f64::min).max(SHORTEST.min)
     }
 }

@@ -30,9 +30,14 @@ impl Profile {
 
     /// The profile of several systems together.
     pub fn of_sum<S: WaveSpectrum>(systems: &[S]) -> Self {
+        Self::sum(&systems.iter().map(Self::of).collect::<Vec<_>>())
+    }
+
+    /// The profile of several systems together, from their own.
+    pub fn sum(profiles: &[Self]) -> Self {
         let mut energy_m2 = vec![0.0; STEPS];
-        for system in systems {
-            for (sum, energy) in energy_m2.iter_mut().zip(Self::of(system).energy_m2) {
+        for profile in profiles {
+            for (sum, energy) in energy_m2.iter_mut().zip(&profile.energy_m2) {
                 *sum += energy;
             }
         }

@@ -77,11 +77,12 @@ impl Cascade {
     ///
     /// Lengths are in a ratio that has no small whole multiple, so that the sum of tiles shows no repeat.
     pub fn plan<S: WaveSpectrum>(systems: &[S], budget: CascadeBudget) -> Vec<Self> {
-        let first = budget.tile_size_m.unwrap_or_else(|| by_the_peak(systems));
+        let profiles: Vec<Profile> = systems.iter().map(Profile::of).collect();
+        let first = budget.tile_size_m.unwrap_or_else(|| by_the_peak(systems, &profiles));
         let n = budget.resolution;
         let waves_per_tile = n as f64 / SAMPLES_PER_WAVE;
         // Below the shortest wave that there is, a tile would be empty.
-        let shortest_m = budget.shortest_wave_m.max(TAU / Profile::of_sum(systems).last_wave_number());
+        let shortest_m = budget.shortest_wave_m.max(TAU / Profile::sum(&profiles).last_wave_number());
         let span = (first / (waves_per_tile * shortest_m)).max(1.0);
         let most = (waves_per_tile / LEAST_WAVES).max(1.5);
         let wanted = 1 + (span.ln() / most.ln()).ceil() as usize;
@@ -96,11 +97,12 @@ impl Cascade {
     }
 }
 
-/// The side in metres of a tile for the longest of these systems.
-fn by_the_peak<S: WaveSpectrum>(systems: &[S]) -> f64 {
+/// The side in metres of a tile for the longest of these systems, whose profiles are given.
+fn by_the_peak<S: WaveSpectrum>(systems: &[S], profiles: &[Profile]) -> f64 {
     let total: f64 = systems.iter().map(WaveSpectrum::variance_m2).sum();
-    let counts = systems.iter().filter(|system| system.variance_m2() > LEAST_SHARE * total);
-    let longest = counts.map(|system| TAU / Profile::of(system).peak_wave_number()).fold(0.0, f64::max);
+    let counts =
+        systems.iter().zip(profiles).filter(|(system, _)| system.variance_m2() > LEAST_SHARE * total);
+    let longest = counts.map(|(_, profile)| TAU / profile.peak_wave_number()).fold(0.0, f64::max);
     // A flat sea has no peak.
     if longest > 0.0 { (PEAK_WAVELENGTHS * longest).ceil() } else { 100.0 }
 }
