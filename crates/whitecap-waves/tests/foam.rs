@@ -314,7 +314,7 @@ fn averaged_away_the_sea_is_as_white() {
             if size == 1 {
                 break;
             }
-            levels = levels.iter().map(FoamLevel::halved).collect();
+            levels.iter_mut().for_each(FoamLevel::halve);
         }
     }
 }

@@ -45,8 +45,44 @@ pub struct GpuFoam {
 /// millisecond.
 pub struct FoamMaps {
     foam: Option<Foam>,
+    /// One for each tile with breaking waves.
+    chains: Vec<MipChain>,
     maps: wgpu::Texture,
     structure: wgpu::Texture,
+}
+
+/// Room for the mips of one tile.
+#[derive(Default)]
+struct MipChain {
+    level: FoamLevel,
+    /// Mean and variance, all levels one after the other.
+    texels: Vec<[f16; 2]>,
+}
+
+impl MipChain {
+    /// Takes in a field with `size` samples a side. Allocates nothing after the first time.
+    fn fill(&mut self, field: &[f32], size: usize) {
+        self.texels.clear();
+        self.level.begin(field, size);
+        loop {
+            self.texels.extend(self.level.texels().map(|texel| texel.map(f16::from_f32)));
+            if self.level.size() <= 1 {
+                break;
+            }
+            self.level.halve();
+        }
+    }
+
+    /// The levels, from the largest.
+    fn levels(&self) -> impl Iterator<Item = &[[f16; 2]]> {
+        let (mut rest, mut size) = (&self.texels[..], self.texels.len().isqrt());
+        size = 1 << size.max(1).ilog2();
+        std::iter::from_fn(move || {
+            let (level, smaller) = rest.split_at_checked(size * size)?;
+            (rest, size) = (smaller, size / 2);
+            (!level.is_empty()).then_some(level)
+        })
+    }
 }
 
 impl FoamMaps {
@@ -82,30 +118,27 @@ impl FoamMaps {
             for (level, texels) in (0..).zip(structure.levels()) {
                 write_level(queue, &texture, level, texels.as_flattened());
             }
-            Ok(FoamMaps { foam, maps, structure: texture })
+            let chains = (0..foam.as_ref().map_or(0, |foam| foam.tiles().len())).map(|_| MipChain::default());
+            Ok(FoamMaps { foam, chains: chains.collect(), maps, structure: texture })
         })
     }
 
     /// Brings the maps to `time_s`.
     pub fn update(&mut self, queue: &wgpu::Queue, time_s: f64) {
-        let Some(foam) = &mut self.foam else { return };
-        foam.evaluate(time_s);
-        let resolution = foam.resolution();
-        let chain = |field: &[f32]| {
-            let mut level = FoamLevel::of(field, resolution);
-            let mut chain = vec![encoded(&level)];
-            while level.size() > 1 {
-                level = level.halved();
-                chain.push(encoded(&level));
-            }
-            chain
-        };
-        let chains: Vec<_> = foam.tiles().par_iter().map(|tile| chain(tile.field())).collect();
-        for (layer, chain) in (0..).zip(&chains) {
-            for (mip, texels) in (0..).zip(chain) {
+        self.evaluate(time_s);
+        for (layer, chain) in (0..).zip(&self.chains) {
+            for (mip, texels) in (0..).zip(chain.levels()) {
                 write_layer(queue, &self.maps, layer, mip, bytemuck::cast_slice(texels));
             }
         }
+    }
+
+    /// Works out what the maps hold at `time_s`. Allocates nothing after the first time.
+    fn evaluate(&mut self, time_s: f64) {
+        let Some(foam) = &mut self.foam else { return };
+        foam.evaluate(time_s);
+        let (tiles, size) = (foam.tiles(), foam.resolution());
+        self.chains.par_iter_mut().zip(tiles).for_each(|(chain, tile)| chain.fill(tile.field(), size));
     }
 
     /// Mean and variance of what each tile remembers, a layer a tile, `Rg16Float` with mips: a `texture_2d_array`.
@@ -150,10 +183,6 @@ impl FoamMaps {
             padding: [0; 2],
         }
     }
-}
-
-fn encoded(level: &FoamLevel) -> Vec<[f16; 2]> {
-    level.texels().map(|texel| texel.map(f16::from_f32)).collect()
 }
 
 /// Replaces a level of one layer.

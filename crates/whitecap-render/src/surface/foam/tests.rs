@@ -86,6 +86,24 @@ fn layouts_agree() {
     );
 }
 
+/// Counts are those of one thread.
+#[test]
+fn the_next_frame_allocates_nothing() {
+    let Some(gpu) = gpu() else { return };
+    let mut maps = FoamMaps::new(&gpu.device, &gpu.queue, Some(foam())).unwrap();
+    let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let count = alone.install(|| {
+        maps.evaluate(33.3);
+        allocation_counter::measure(|| maps.evaluate(33.3 + 1.0 / 30.0))
+    });
+    assert_eq!(count.count_total, 0);
+    let n = maps.foam.as_ref().unwrap().resolution();
+    for chain in &maps.chains {
+        let sizes: Vec<usize> = chain.levels().map(<[_]>::len).collect();
+        assert_eq!(sizes, (0..=n.ilog2()).map(|level| (n >> level).pow(2)).collect::<Vec<_>>());
+    }
+}
+
 /// Over a sample of the first tile, with the others between theirs, the shader's cover is that of the fields.
 #[test]
 fn the_cover_drawn_is_that_of_the_fields() {

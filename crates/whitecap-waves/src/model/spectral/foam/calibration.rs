@@ -72,7 +72,10 @@ pub(super) fn calibrate(foam: &mut Foam) -> Result<(), ParameterError> {
         tile.mean = moments.mean;
         let averaged = values.chunks_exact(coarse * coarse).flat_map(|field| {
             let centred: Vec<f32> = field.iter().map(|m| m - moments.mean as f32).collect();
-            between_texels(&FoamLevel::of(&centred, coarse).halved().halved())
+            let mut level = FoamLevel::of(&centred, coarse);
+            level.halve();
+            level.halve();
+            between_texels(&level)
         });
         texels.push(averaged.collect());
         variance += moments.variance;

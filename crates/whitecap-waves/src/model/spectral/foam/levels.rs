@@ -1,6 +1,7 @@
 //! A foam field's mips: means, and what they average away.
 
 /// One level: for each texel the mean of mᵢ, and the variance within it.
+#[derive(Default)]
 pub struct FoamLevel {
     size: usize,
     mean: Vec<f32>,
@@ -11,7 +12,19 @@ pub struct FoamLevel {
 impl FoamLevel {
     /// The first level, of a field with `size` samples a side.
     pub fn of(field: &[f32], size: usize) -> Self {
-        Self { size, mean: field.to_vec(), square: field.iter().map(|m| m * m).collect() }
+        let mut level = Self::default();
+        level.begin(field, size);
+        level
+    }
+
+    /// Becomes the first level of `field`, as [`FoamLevel::of`] makes it. Allocates nothing where it has been as large
+    /// before.
+    pub fn begin(&mut self, field: &[f32], size: usize) {
+        self.size = size;
+        self.mean.clear();
+        self.mean.extend_from_slice(field);
+        self.square.clear();
+        self.square.extend(field.iter().map(|m| m * m));
     }
 
     /// Texels along a side.
@@ -19,19 +32,19 @@ impl FoamLevel {
         self.size
     }
 
-    /// The next level, of half the size.
-    pub fn halved(&self) -> Self {
-        let size = self.size / 2;
-        let quarter = |values: &[f32]| {
-            let mut out = Vec::with_capacity(size * size);
-            for rows in values.chunks_exact(2 * self.size) {
-                let (upper, lower) = rows.split_at(self.size);
-                let both = upper.chunks_exact(2).zip(lower.chunks_exact(2));
-                out.extend(both.map(|(a, b)| 0.25 * ((a[0] + a[1]) + (b[0] + b[1]))));
+    /// Becomes the next level, of half the size.
+    pub fn halve(&mut self) {
+        let (n, half) = (self.size, self.size / 2);
+        for values in [&mut self.mean, &mut self.square] {
+            // Each mean lies at or before the first of the four values that it is of, the last one that has been read.
+            for i in 0..half * half {
+                let (upper, lower) = (2 * n * (i / half) + 2 * (i % half), n);
+                let row = |at: usize| values[at] + values[at + 1];
+                values[i] = 0.25 * (row(upper) + row(upper + lower));
             }
-            out
-        };
-        Self { size, mean: quarter(&self.mean), square: quarter(&self.square) }
+            values.truncate(half * half);
+        }
+        self.size = half;
     }
 
     /// Mean and variance of each texel.
