@@ -86,6 +86,113 @@ const STILL: TargetFormat = TargetFormat {
     sample_shading: true,
 };
 
+/// Pictures of one scene at one size and moment. What one of them has set up serves the next: the light around in any case,
+/// the sea and its pipelines where both are drawn into the same format, as all stills of several samples and
+/// auxiliary pictures are.
+pub struct Pictures<'a> {
+    gpu: &'a Gpu,
+    scene: &'a Scene,
+    request: PictureRequest,
+    expects_aux: bool,
+    environment: Option<Environment>,
+    set_up: Option<SetUp>,
+}
+
+impl<'a> Pictures<'a> {
+    /// Nothing is set up before the first picture is asked for.
+    pub fn new(gpu: &'a Gpu, scene: &'a Scene, request: &PictureRequest) -> Self {
+        Pictures { gpu, scene, request: *request, expects_aux: false, environment: None, set_up: None }
+    }
+
+    /// The same, whose set-up for a still serves [`Pictures::aux`], too.
+    pub fn expecting_aux(self) -> Self {
+        Pictures { expects_aux: true, ..self }
+    }
+
+    /// As [`render_picture`]. `progress` hears of each stage that there is something to do in.
+    ///
+    /// # Errors
+    ///
+    /// As [`render_picture`].
+    pub fn picture(&mut self, progress: &mut dyn FnMut(Stage)) -> Result<Picture, RenderError> {
+        let result = self.draw(progress);
+        self.unless_lost(result)
+    }
+
+    /// A lost device makes every later call fail; what matters is that it was lost.
+    fn unless_lost<T>(&self, result: Result<T, RenderError>) -> Result<T, RenderError> {
+        if result.is_err() {
+            self.gpu.check()?;
+        }
+        result
+    }
+
+    fn draw(&mut self, progress: &mut dyn FnMut(Stage)) -> Result<Picture, RenderError> {
+        if self.scene.technique.is_scene_linear() {
+            let mut begun = |stage, done| {
+                if stage != Stage::Draw || done == 0 {
+                    progress(stage);
+                }
+            };
+            return self.supersampled(SAMPLES_OF_STILL, &mut begun);
+        }
+        let (gpu, view, time_s) = (self.gpu, self.view(), self.request.time_s);
+        let (device, queue) = (&gpu.device, &gpu.queue);
+        let SetUp { water, attachments, .. } = self.set_up(&STILL, progress)?;
+        progress(Stage::Draw);
+        checked(device, "the frame", || {
+            let mut encoder = device.create_command_encoder(&Default::default());
+            water.prepare(device, queue, &mut encoder, &[view], time_s)?;
+            let mut pass = attachments.begin(&mut encoder, &STILL, true);
+            water.draw(&mut pass, 0);
+            water.draw_sky(&mut pass, 0);
+            drop(pass);
+            submit(gpu, encoder)
+        })?;
+        progress(Stage::ReadBack);
+        read_picture(gpu, &attachments.resolved)
+    }
+
+    fn view(&self) -> View {
+        View::of_camera(&self.scene.camera, [self.request.width, self.request.height])
+    }
+
+    /// The water that is drawn into `target`: what the picture before has left, if that will do.
+    fn set_up(
+        &mut self,
+        target: &TargetFormat,
+        progress: &mut dyn FnMut(Stage),
+    ) -> Result<&mut SetUp, RenderError> {
+        let (device, queue) = (&self.gpu.device, &self.gpu.queue);
+        let aux = self.expects_aux && *target == layers::TARGET && self.scene.technique.is_scene_linear();
+        let serves = |set_up: &SetUp| set_up.target == *target && (set_up.aux || !aux);
+        let left = self.set_up.take().filter(serves);
+        let set_up = match left {
+            Some(set_up) => set_up,
+            None => {
+                check_size(device, &self.request)?;
+                let environment = match self.environment.take() {
+                    Some(environment) => environment,
+                    None => {
+                        progress(Stage::Sky);
+                        Environment::new(self.scene)?
+                    }
+                };
+                let environment = self.environment.insert(environment);
+                progress(Stage::Setup);
+                let options = WaterOptions { aux, ..self.request.options() };
+                let water = Water::with_options(device, queue, self.scene, environment, *target, &options)?;
+                let attachments = checked(device, "a picture of this size", || {
+                    Ok(Attachments::new(device, &self.request, target))
+                })?;
+                let exposure = environment.light.as_ref().map(|light| light.exposure);
+                SetUp { water, attachments, exposure, target: *target, aux }
+            }
+        };
+        Ok(self.set_up.insert(set_up))
+    }
+}
+
 /// Renders `scene` as its camera sees it, [`SAMPLES_OF_STILL`] times a pixel: as [`render_supersampled`] where a technique works in
 /// light, with the adapter's own samples elsewhere. `progress` hears of each stage as it begins.
 ///
@@ -99,48 +206,7 @@ pub fn render_picture(
     request: &PictureRequest,
     progress: &mut dyn FnMut(Stage),
 ) -> Result<Picture, RenderError> {
-    unless_lost(gpu, draw(gpu, scene, request, progress))
-}
-
-/// A lost device makes every later call fail; what matters is that it was lost.
-fn unless_lost<T>(gpu: &Gpu, result: Result<T, RenderError>) -> Result<T, RenderError> {
-    if result.is_err() {
-        gpu.check()?;
-    }
-    result
-}
-
-fn draw(
-    gpu: &Gpu,
-    scene: &Scene,
-    request: &PictureRequest,
-    progress: &mut dyn FnMut(Stage),
-) -> Result<Picture, RenderError> {
-    if scene.technique.is_scene_linear() {
-        let mut begun = |stage, done| {
-            if stage != Stage::Draw || done == 0 {
-                progress(stage);
-            }
-        };
-        return render_supersampled(gpu, scene, request, SAMPLES_OF_STILL, &mut begun);
-    }
-    let (device, queue) = (&gpu.device, &gpu.queue);
-    let target = STILL;
-    let SetUp { mut water, attachments, .. } =
-        set_up(gpu, scene, request, &target, &request.options(), progress)?;
-    progress(Stage::Draw);
-    let view = View::of_camera(&scene.camera, [request.width, request.height]);
-    checked(device, "the frame", || {
-        let mut encoder = device.create_command_encoder(&Default::default());
-        water.prepare(device, queue, &mut encoder, &[view], request.time_s)?;
-        let mut pass = attachments.begin(&mut encoder, &target, true);
-        water.draw(&mut pass, 0);
-        water.draw_sky(&mut pass, 0);
-        drop(pass);
-        submit(gpu, encoder)
-    })?;
-    progress(Stage::ReadBack);
-    read_picture(gpu, &attachments.resolved)
+    Pictures::new(gpu, scene, request).picture(progress)
 }
 
 /// The water and what it is drawn into.
@@ -149,25 +215,9 @@ struct SetUp {
     attachments: Attachments,
     /// What radiance of 1 kcd/m² becomes in the picture's linear light, if that is what the water is drawn in.
     exposure: Option<f32>,
-}
-
-fn set_up(
-    gpu: &Gpu,
-    scene: &Scene,
-    request: &PictureRequest,
-    target: &TargetFormat,
-    options: &WaterOptions,
-    progress: &mut dyn FnMut(Stage),
-) -> Result<SetUp, RenderError> {
-    let (device, queue) = (&gpu.device, &gpu.queue);
-    check_size(device, request)?;
-    progress(Stage::Sky);
-    let environment = Environment::new(scene)?;
-    progress(Stage::Setup);
-    let water = Water::with_options(device, queue, scene, &environment, *target, options)?;
-    let attachments =
-        checked(device, "a picture of this size", || Ok(Attachments::new(device, request, target)))?;
-    Ok(SetUp { water, attachments, exposure: environment.light.map(|light| light.exposure) })
+    target: TargetFormat,
+    /// Whether it has the pipelines of auxiliary pictures.
+    aux: bool,
 }
 
 /// Submits, and waits until it is done.

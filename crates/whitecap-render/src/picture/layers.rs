@@ -5,12 +5,15 @@
 //! before the water: what is nearer after it is water.
 
 use super::supersampled::LIGHT;
-use super::{Attachments, PictureRequest, SetUp, Stage, set_up, submit, unless_lost};
+use super::{Attachments, PictureRequest, Pictures, SetUp, Stage, submit};
 use crate::TargetFormat;
 use crate::gpu::{checked, read_texture};
-use crate::{Gpu, RenderError, View, Water, WaterOptions};
+use crate::{Gpu, RenderError, View, Water};
 use glam::{DMat4, DVec3, DVec4, Mat4};
 use whitecap_scene::Scene;
+
+/// What they are drawn into: on the mesh of a still.
+pub(super) const TARGET: TargetFormat = TargetFormat { sample_shading: true, ..LIGHT };
 
 /// Origins of positions lie at multiples of this, metres: 32 bits then place what is near to a tenth of a millimetre.
 const ORIGIN_STEP_M: f64 = 1024.0;
@@ -73,28 +76,40 @@ pub fn render_aux(
     request: &PictureRequest,
     progress: &mut dyn FnMut(Stage),
 ) -> Result<AuxPicture, RenderError> {
-    unless_lost(gpu, draw(gpu, scene, request, progress))
+    Pictures::new(gpu, scene, request).aux(progress)
+}
+
+impl Pictures<'_> {
+    /// As [`render_aux`]. `progress` hears of each stage that there is something to do in.
+    ///
+    /// # Errors
+    ///
+    /// As [`super::render_picture`].
+    pub fn aux(&mut self, progress: &mut dyn FnMut(Stage)) -> Result<AuxPicture, RenderError> {
+        self.expects_aux = true;
+        let (gpu, view, time_s) = (self.gpu, self.view(), self.request.time_s);
+        let set_up = self.set_up(&TARGET, progress);
+        let result = set_up.and_then(|set_up| draw(gpu, set_up, view, time_s, progress));
+        self.unless_lost(result)
+    }
 }
 
 fn draw(
     gpu: &Gpu,
-    scene: &Scene,
-    request: &PictureRequest,
+    set_up: &mut SetUp,
+    view: View,
+    time_s: f64,
     progress: &mut dyn FnMut(Stage),
 ) -> Result<AuxPicture, RenderError> {
-    let aux = scene.technique.is_scene_linear();
-    let options = WaterOptions { aux, ..request.options() };
-    // On the mesh of a still.
-    let target = TargetFormat { sample_shading: true, ..LIGHT };
-    let SetUp { mut water, attachments, .. } = set_up(gpu, scene, request, &target, &options, progress)?;
+    let SetUp { water, attachments, aux, .. } = set_up;
+    let aux = *aux;
     progress(Stage::Draw);
-    let view = View::of_camera(&scene.camera, [request.width, request.height]);
     checked(&gpu.device, "the frame", || {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        water.prepare(&gpu.device, &gpu.queue, &mut encoder, &[view], request.time_s)?;
+        water.prepare(&gpu.device, &gpu.queue, &mut encoder, &[view], time_s)?;
         submit(gpu, encoder)
     })?;
-    let frame = Frame { gpu, water: &water, attachments: &attachments };
+    let frame = Frame { gpu, water, attachments };
     let objects = frame.pass(true, |pass| {
         if !(aux && water.draw_objects_aux(pass, 0)) {
             water.draw_objects(pass, 0);

@@ -5,7 +5,7 @@
 //! to is half a pixel, however many samples there are, so brightness and softness do not depend on their number.
 
 use super::filter::{MAX_SAMPLES, sample_offsets_px};
-use super::{Attachments, Picture, PictureRequest, SetUp, Stage, read_picture, set_up, submit, unless_lost};
+use super::{Attachments, Picture, PictureRequest, Pictures, SetUp, Stage, read_picture, submit};
 use crate::gpu::{checked, read_texture};
 use crate::pass::{MeanPass, develop};
 use crate::{Gpu, RenderError, TargetFormat, View, Water};
@@ -76,12 +76,7 @@ pub fn render_supersampled(
     samples: u32,
     progress: &mut dyn FnMut(Stage, u32),
 ) -> Result<Picture, RenderError> {
-    unless_lost(gpu, {
-        Still::draw(gpu, scene, request, samples, progress).and_then(|still| {
-            progress(Stage::ReadBack, samples);
-            still.develop(gpu)
-        })
-    })
+    Pictures::new(gpu, scene, request).supersampled(samples, progress)
 }
 
 /// As [`render_supersampled`], with the light itself in place of a picture of it.
@@ -96,17 +91,50 @@ pub fn render_light(
     samples: u32,
     progress: &mut dyn FnMut(Stage, u32),
 ) -> Result<LightPicture, RenderError> {
-    unless_lost(gpu, {
-        Still::draw(gpu, scene, request, samples, progress).and_then(|still| {
+    Pictures::new(gpu, scene, request).light(samples, progress)
+}
+
+impl Pictures<'_> {
+    /// As [`render_supersampled`]. `progress` hears of each stage that there is something to do in.
+    ///
+    /// # Errors
+    ///
+    /// As [`render_supersampled`].
+    pub fn supersampled(
+        &mut self,
+        samples: u32,
+        progress: &mut dyn FnMut(Stage, u32),
+    ) -> Result<Picture, RenderError> {
+        let gpu = self.gpu;
+        let result = Still::draw(self, samples, progress).and_then(|still| {
+            progress(Stage::ReadBack, samples);
+            still.develop(gpu)
+        });
+        self.unless_lost(result)
+    }
+
+    /// As [`render_light`]. `progress` hears of each stage that there is something to do in.
+    ///
+    /// # Errors
+    ///
+    /// As [`render_supersampled`].
+    pub fn light(
+        &mut self,
+        samples: u32,
+        progress: &mut dyn FnMut(Stage, u32),
+    ) -> Result<LightPicture, RenderError> {
+        let gpu = self.gpu;
+        let result = Still::draw(self, samples, progress).and_then(|still| {
             progress(Stage::ReadBack, samples);
             still.read(gpu)
-        })
-    })
+        });
+        self.unless_lost(result)
+    }
 }
 
 /// Samples that have been drawn.
-struct Still {
-    water: Water,
+struct Still<'a> {
+    water: &'a Water,
     view: View,
     mean: MeanPass,
     unit: LightUnit,
@@ -114,14 +142,12 @@ struct Still {
     exposure: Option<f32>,
 }
 
-impl Still {
+impl<'a> Still<'a> {
     fn draw(
-        gpu: &Gpu,
-        scene: &Scene,
-        request: &PictureRequest,
+        pictures: &'a mut Pictures<'_>,
         samples: u32,
         progress: &mut dyn FnMut(Stage, u32),
-    ) -> Result<Still, RenderError> {
+    ) -> Result<Still<'a>, RenderError> {
         if !(1..=MAX_SAMPLES).contains(&samples) {
             return Err(RenderError::LimitExceeded {
                 what: "the number of samples a pixel".into(),
@@ -131,31 +157,31 @@ impl Still {
         }
         // One drawing is what a window shows; of several each stands for a part of the pixel.
         let target = TargetFormat { sample_shading: samples > 1, ..LIGHT };
-        let SetUp { mut water, attachments, exposure } =
-            set_up(gpu, scene, request, &target, &request.options(), &mut |stage| progress(stage, 0))?;
+        let (gpu, view, time_s) = (pictures.gpu, pictures.view(), pictures.request.time_s);
+        let unit = LightUnit::of(pictures.scene);
+        let SetUp { water, attachments, exposure, .. } =
+            pictures.set_up(&target, &mut |stage| progress(stage, 0))?;
         let mut mean = checked(&gpu.device, "a picture of this size", || {
             Ok(MeanPass::new(&gpu.device, &gpu.queue, &attachments.resolved))
         })?;
         progress(Stage::Draw, 0);
-        let view = View::of_camera(&scene.camera, [request.width, request.height]);
         let mut done = 0;
         for offsets in sample_offsets_px(samples).chunks(VIEWS) {
             let views: Vec<View> = offsets.iter().map(|&offset| view.shifted(offset)).collect();
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
             checked(&gpu.device, "the frame", || {
-                water.prepare(&gpu.device, &gpu.queue, &mut encoder, &views, request.time_s)?;
+                water.prepare(&gpu.device, &gpu.queue, &mut encoder, &views, time_s)?;
                 submit(gpu, encoder)
             })?;
             for shifted in 0..views.len() {
                 checked(&gpu.device, "the frame", || {
-                    draw_sample(gpu, &water, &attachments, &mut mean, shifted)
+                    draw_sample(gpu, water, attachments, &mut mean, shifted)
                 })?;
                 done += 1;
                 progress(Stage::Draw, done);
             }
         }
-        let unit = LightUnit::of(scene);
-        Ok(Still { water, view, mean, unit, exposure })
+        Ok(Still { water, view, mean, unit, exposure: *exposure })
     }
 
     fn develop(&self, gpu: &Gpu) -> Result<Picture, RenderError> {

@@ -13,10 +13,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
-use whitecap_render::picture::{
-    MAX_SAMPLES, PictureRequest, SAMPLES_OF_STILL, Stage, render_aux, render_light, render_picture,
-    render_supersampled,
-};
+use whitecap_render::picture::{MAX_SAMPLES, PictureRequest, Pictures, SAMPLES_OF_STILL, Stage};
 use whitecap_render::{AdapterDescription, Gpu};
 use whitecap_scene::{Scene, named};
 
@@ -104,9 +101,13 @@ impl Render {
             height: self.size.height,
             time_s: self.time,
         };
-        let (bytes, samples) = self.picture(&gpu, &scene, &request, is_exr(&path), &mut stages)?;
+        let mut pictures = Pictures::new(&gpu, &scene, &request);
+        if aux_file.is_some() {
+            pictures = pictures.expecting_aux();
+        }
+        let (bytes, samples) = self.picture(&mut pictures, &scene, is_exr(&path), &mut stages)?;
         let aux = match &aux_file {
-            Some(_) => Some(self.aux(&gpu, &scene, &request, &mut stages)?),
+            Some(_) => Some(self.aux(&mut pictures, &scene, &mut stages)?),
             None => None,
         };
         stages.begin("file");
@@ -136,15 +137,14 @@ impl Render {
     /// The bytes of the picture's file, and the samples that it has been averaged from.
     fn picture(
         &self,
-        gpu: &Gpu,
+        pictures: &mut Pictures<'_>,
         scene: &Scene,
-        request: &PictureRequest,
         is_exr: bool,
         stages: &mut Stages,
     ) -> Result<(Vec<u8>, Option<u32>), Failure> {
         let samples = self.samples.or(is_exr.then_some(SAMPLES_OF_STILL));
         let Some(count) = samples else {
-            let picture = render_picture(gpu, scene, request, &mut |stage| stages.begin(stage.label()))?;
+            let picture = pictures.picture(&mut |stage| stages.begin(stage.label()))?;
             stages.begin("png");
             return Ok((encoded(png::encode(&picture))?, None));
         };
@@ -157,11 +157,11 @@ impl Render {
             }
         };
         let bytes = if is_exr {
-            let light = render_light(gpu, scene, request, count, &mut progress)?;
+            let light = pictures.light(count, &mut progress)?;
             stages.begin("exr");
             encoded(openexr::encode(&light, &self.about(scene, count)))?
         } else {
-            let picture = render_supersampled(gpu, scene, request, count, &mut progress)?;
+            let picture = pictures.supersampled(count, &mut progress)?;
             stages.begin("png");
             encoded(png::encode(&picture))?
         };
@@ -171,13 +171,12 @@ impl Render {
     /// The bytes of the file of what the picture shows beside its light.
     fn aux(
         &self,
-        gpu: &Gpu,
+        pictures: &mut Pictures<'_>,
         scene: &Scene,
-        request: &PictureRequest,
         stages: &mut Stages,
     ) -> Result<Vec<u8>, Failure> {
         stages.begin("aux");
-        let picture = render_aux(gpu, scene, request, &mut |stage| stages.tell(stage.label()))?;
+        let picture = pictures.aux(&mut |stage| stages.tell(stage.label()))?;
         encoded(openexr::encode_aux(&picture, &self.about(scene, 1)))
     }
 
