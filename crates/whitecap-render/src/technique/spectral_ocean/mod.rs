@@ -94,8 +94,7 @@ impl SpectralOcean {
         let tiles = sea.into_tiles().into_iter().map(maps_of).collect::<Result<Vec<_>, _>>()?;
 
         let (cells, levels) = mesh_size(build.is_software(), build.shared.target.sample_shading);
-        let last_cell_m = FINEST_CELL_M * f64::from(levels - 1).exp2();
-        let grid = NestedGrid::new(cells, levels, (REACH_M / last_cell_m) as f32);
+        let grid = mesh(cells, levels);
         let slots = ViewSlots::new(build.device, "spectral ocean");
         let pipeline =
             Pipeline::new(build, &grid, &tiles, &foam, &waters(build, settings, light, &roughness), &slots);
@@ -174,6 +173,11 @@ fn mesh_size(is_software: bool, is_still: bool) -> (u32, u32) {
         (true, true) => (128, 10),
         (false, _) => (256, 10),
     }
+}
+
+fn mesh(cells: u32, levels: u32) -> NestedGrid {
+    let last_cell_m = FINEST_CELL_M * f64::from(levels - 1).exp2();
+    NestedGrid::new(cells, levels, (REACH_M / last_cell_m) as f32)
 }
 
 /// The light in the water and on it.
