@@ -8,9 +8,9 @@ use whitecap_render::shader_lib;
 use whitecap_render::technique::meshuggah::normals::{bump_frame, world_from_bump};
 use whitecap_tests::adapter::gpu;
 use whitecap_waves::optics::{
-    WATER_REFRACTIVE_INDEX, WaterBody, curvature_drop_m, exposure_split, foam_cover, foam_drawn,
-    foam_radiance, foam_rank, fresnel_exact, fresnel_jensen_golias, tone_map_aces, tone_map_agx,
-    tone_map_pbr_neutral, visible_cosine, water_color_single_scatter,
+    WATER_REFRACTIVE_INDEX, curvature_drop_m, exposure_split, foam_cover, foam_drawn, foam_radiance,
+    foam_rank, fresnel_exact, fresnel_jensen_golias, tone_map_aces, tone_map_agx, tone_map_pbr_neutral,
+    visible_cosine,
 };
 
 /// Runs `twins.wesl` on inputs of two vectors and gives back five for each.
@@ -58,7 +58,6 @@ fn the_gpus_functions_equal_the_cpus() {
                 "fresnel_exact, out of water",
             );
         }
-        assert_near(water[2], single_scatter_deep(f64::from(b[0]).abs(), x), "single_scatter_deep");
         let share = f64::from(b[0].abs()) / 1.5;
         assert_near(foam[0], foam_cover(x - 3.0, 50.0 * variance), "foam_cover");
         assert_near(foam[1], foam_rank(share, variance), "foam_rank");
@@ -75,19 +74,6 @@ fn the_gpus_functions_equal_the_cpus() {
         let seen = Vec3::new(normal[0], normal[1], normal[2]);
         assert!((seen - expected).abs().max_element() < 1e-6 * bump.length().max(1.0), "{seen} {expected}");
     }
-}
-
-/// Single scattering without a bottom, with βE/c = 1 for a level irradiance E: a plane across the ray has E/μs.
-fn single_scatter_deep(sun_cos: f64, view_cos: f64) -> f64 {
-    let sine = (1.0 - sun_cos.min(1.0).powi(2)).sqrt() / WATER_REFRACTIVE_INDEX;
-    let body = WaterBody {
-        scattering_per_m: [1.0; 3],
-        extinction_per_m: [1.0; 3],
-        depth_m: f64::INFINITY,
-        sun_irradiance: [1.0 / (1.0 - sine * sine).sqrt(); 3],
-        sun_cos,
-    };
-    water_color_single_scatter(view_cos, &body)[0]
 }
 
 #[test]

@@ -35,8 +35,7 @@ pub struct GpuFoam {
     structures_per_m: [f32; 2],
     variance_gain: [f32; 2],
     threshold: f32,
-    tile_count: u32,
-    padding: [u32; 2],
+    padding: [u32; 3],
 }
 
 /// The foam of a sea and the textures that hold it at one moment.
@@ -179,8 +178,7 @@ impl FoamMaps {
             structures_per_m: [(1.0 / large_m) as f32, (1.0 / small_m) as f32],
             variance_gain: foam.variance_gain().map(|gain| gain as f32),
             threshold: foam.threshold() as f32,
-            tile_count: foam.tiles().len() as u32,
-            padding: [0; 2],
+            padding: [0; 3],
         }
     }
 }

@@ -42,7 +42,10 @@ fn drawn(gpu: &crate::Gpu, maps: &FoamMaps, eye_m: DVec2, places: &[[f32; 4]]) -
         layout: None,
         module: &shader.module(device),
         entry_point: Some("cs_foam"),
-        compilation_options: Default::default(),
+        compilation_options: wgpu::PipelineCompilationOptions {
+            constants: &[("FOAM_TILES", maps.tile_count() as f64)],
+            ..Default::default()
+        },
         cache: None,
     });
     let input = buffer(device, queue, "places", bytemuck::cast_slice(places), wgpu::BufferUsages::STORAGE);
@@ -82,7 +85,7 @@ fn layouts_agree() {
         GpuFoam,
         wgsl,
         "GpuFoam",
-        [tiles, eye_in_structure, structures_per_m, variance_gain, threshold, tile_count]
+        [tiles, eye_in_structure, structures_per_m, variance_gain, threshold]
     );
 }
 
