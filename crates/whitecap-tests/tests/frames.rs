@@ -21,6 +21,9 @@ fn ocean() -> Scene {
     whitecap_scene::open("spectral-ocean").unwrap()
 }
 
+/// High waves with foam, long ones, and next to none.
+const SEAS: [&str; 3] = ["spectral-ocean-storm", "spectral-ocean-swell", "spectral-ocean-dawn"];
+
 /// The scene that each technique is shown by.
 fn scene_of_each_technique() -> impl Iterator<Item = Scene> {
     technique::ALL.iter().map(|technique| whitecap_scene::open(technique.word).unwrap())
@@ -65,6 +68,31 @@ fn a_frame_depends_on_its_time_and_view_alone() {
         let other = look(view.eye_m + DVec3::new(9.0, 2.0, 1.0), DVec3::new(1.0, -0.2, 0.1));
         assert_ne!(frame(gpu, &mut water, &target, other, 77.0, true), later, "{word}");
         assert_eq!(frame(gpu, &mut water, &target, view, 2.5, true), first, "{word} remembers");
+    }
+}
+
+/// Frames of a sequence, across the end of a block of the foam's memory, and each of them as the first that is drawn.
+#[test]
+fn a_frame_alone_is_the_frame_of_a_sequence() {
+    let Some(gpu) = gpu() else { return };
+    let target = TargetFormat::default();
+    for name in SEAS {
+        let scene = whitecap_scene::open(name).unwrap();
+        let new = || Water::new(&gpu.device, &gpu.queue, &scene, target).unwrap();
+        let view = View::of_camera(&scene.camera, SIZE);
+        // Blocks are five e-folding times of foam long.
+        let time_s = |i: usize| 5.0 * 3.53 + (i as f64 - 7.0) / 30.0;
+        let mut water = new();
+        let sequence: Vec<Vec<u8>> =
+            (0..12).map(|i| frame(gpu, &mut water, &target, view, time_s(i), true)).collect();
+        let mut alone = new();
+        for i in [11, 6, 8, 0] {
+            let drawn = frame(gpu, &mut alone, &target, view, time_s(i), true);
+            assert!(drawn == sequence[i], "{name}: frame {i} is another one alone");
+        }
+        let first = frame(gpu, &mut new(), &target, view, time_s(9), true);
+        assert!(first == sequence[9], "{name}: frame 9 is another one where it is the first");
+        assert!(largest_difference(&sequence[0], &sequence[11]) > 4, "{name} stands still");
     }
 }
 
@@ -210,6 +238,38 @@ fn the_far_sea_is_calm() {
         let far = mean_change(85..92);
         assert!(far < 2.0, "{word}: the horizon changes by {far} levels in 1/30 s");
         assert!(mean_change(120..180) > 0.2, "{word}: the near sea stands still");
+    }
+}
+
+/// The same of the ocean's scenes as they are, towards the sun where they look there: docs/spectral-ocean.md states the bound.
+#[test]
+fn the_horizon_of_every_sea_is_calm() {
+    let Some(gpu) = gpu() else { return };
+    for name in SEAS {
+        let scene = whitecap_scene::open(name).unwrap();
+        let (width, height) = (320, 180);
+        let picture = |time_s| {
+            let request = PictureRequest { backend: None, width, height, time_s };
+            render_picture(gpu, &scene, &request, &mut |_| {}).unwrap().rgba8
+        };
+        let [eye, look_at] = [scene.camera.position_m, scene.camera.look_at_m].map(DVec3::from);
+        let toward = (look_at - eye).normalize();
+        let slope = toward.y / toward.x.hypot(toward.z) + (2.0 * eye.y / 6.371e6).sqrt();
+        let half = (0.5 * scene.camera.vertical_fov_deg).to_radians().tan();
+        // The first row under the horizon.
+        let first = (90.0 * (1.0 + slope / half)).ceil() as usize;
+        for time_s in [10.0, 100.0] {
+            let (now, then) = (picture(time_s), picture(time_s + 1.0 / 30.0));
+            let row = |y: usize| y * 320 * 4..(y + 1) * 320 * 4;
+            let mean_change = |rows: std::ops::Range<usize>| {
+                let count = (rows.len() * 320 * 3) as f64;
+                rows.flat_map(row).map(|i| f64::from(now[i].abs_diff(then[i]))).sum::<f64>() / count
+            };
+            let (far, near) = (mean_change(first - 1..first + 6), mean_change(first + 30..180));
+            println!("{name} at {time_s} s: horizon in row {first}, {far:.2} levels, near {near:.2}");
+            assert!(far < 1.0, "{name}: the horizon changes by {far} levels in 1/30 s");
+            assert!(near > 0.2, "{name}: the near sea stands still");
+        }
     }
 }
 
