@@ -2,6 +2,7 @@
 
 use crate::error::SceneError;
 use crate::key::{Point, Real, or, required, table};
+use crate::mesh::Ground;
 use crate::reader::TableReader;
 
 /// How far from the origin a scene reaches east–west and north–south, metres.
@@ -33,5 +34,30 @@ impl Camera {
             ));
         }
         Ok(camera)
+    }
+
+    /// What is unusual about where the eye is: in the ground that objects make, under a bottom `depth_m` deep, or in the
+    /// water. One of them, that which hides most.
+    pub(crate) fn warning(&self, depth_m: Option<f64>, ground: Option<&Ground>) -> Option<String> {
+        let [x, y, z] = self.position_m;
+        let place = format!("camera.position_m = {:?}: ", self.position_m);
+        let over = |level_m: f64| level_m - y;
+        if let Some(inside_m) = ground.and_then(|ground| ground.height_m(x, z)).map(over).filter(|m| *m > 0.0)
+        {
+            return Some(format!(
+                "{place}{inside_m:.1} m inside the ground that the objects make there; it is seen from within"
+            ));
+        }
+        if let Some(below_m) = depth_m.map(|depth_m| over(-depth_m)).filter(|m| *m > 0.0) {
+            return Some(format!(
+                "{place}{below_m:.1} m under the bottom of the sea; its surface is drawn as if seen from above"
+            ));
+        }
+        (y < 0.0).then(|| {
+            format!(
+                "{place}{:.1} m under the level of the sea; its surface is drawn as if seen from above",
+                -y
+            )
+        })
     }
 }

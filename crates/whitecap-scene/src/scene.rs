@@ -45,8 +45,9 @@ pub struct Scene {
     pub panorama: Option<Arc<Panorama>>,
     /// The objects with their meshes, if there are any and the scene came from a file. They are not part of what the file says.
     pub models: Option<Vec<Model>>,
-    /// Where its sea bends what the file asks for, one sentence each, as far as it was built when it was read. They are
-    /// not part of what the file says.
+    /// Where its sea bends what the file asks for, where the picture of its sky is no light and where its camera is in the
+    /// way of what it looks at, one sentence each, as far as all that was built when it was read. They are not part of what the file
+    /// says.
     pub warnings: Vec<String>,
 }
 
@@ -99,11 +100,20 @@ impl Scene {
             if let Sky::Panorama(sky) = &scene.sky {
                 let picture =
                     sky.load().map_err(|error| SceneError::about_key("sky.file", error.to_string()))?;
+                if picture.repaired > 0 {
+                    scene.warnings.push(format!(
+                        "sky.file: {} of {} pixels are negative, not finite or brighter than 65504; they count as 0 or as \
+                         65504",
+                        picture.repaired,
+                        picture.pixels.len()
+                    ));
+                }
                 scene.panorama = Some(Arc::new(picture));
             }
             if !scene.objects.is_empty() {
                 scene.models = Some(scene.read_objects()?);
             }
+            scene.look_round();
             Ok(())
         })
     }
@@ -119,6 +129,7 @@ impl Scene {
             if scene.sea.files_mut().next().is_none() {
                 scene.build_once()?;
             }
+            scene.look_round();
             Ok(())
         })
     }
@@ -178,6 +189,12 @@ impl Scene {
     fn build_once(&mut self) -> Result<(), SceneError> {
         self.warnings = self.sea.warnings(self.seed)?;
         Ok(())
+    }
+
+    /// Sees whether the camera stands where one can see something: over the water, and over the models if they were read.
+    fn look_round(&mut self) {
+        let ground = self.models.as_deref().and_then(object::ground);
+        self.warnings.extend(self.camera.warning(self.sea.depth_m(), ground.as_ref()));
     }
 
     /// The objects with their meshes: those that were read with the file, or read now.

@@ -85,6 +85,134 @@ fn numbers_out_of_range() {
     );
 }
 
+/// A scene of the ocean with these lines in the table.
+fn ocean(table: &str, lines: &str) -> String {
+    let mut text = String::from("technique = \"spectral-ocean\"\n");
+    for (name, keys) in [
+        ("[sea]", ""),
+        ("[[sea.system]]", "spectrum = \"jonswap\"\nsea_state = 4\nfrom_deg = 9\n"),
+        ("[spectral-ocean]", ""),
+        ("[sky]", ""),
+        ("[picture]", ""),
+        ("[camera]", "position_m = [0, 4, 0]\nlook_at_m = [9, 0, 0]\n"),
+    ] {
+        let given = if name == table { lines } else { "" };
+        let key = given.split(' ').next().unwrap_or_default();
+        let others = keys.lines().filter(|line| key.is_empty() || !line.starts_with(key));
+        text += &format!("{name}\n{given}\n{}\n", others.collect::<Vec<_>>().join("\n"));
+    }
+    message_for(&text)
+}
+
+/// Suns that are nowhere, light beyond all bounds, cameras off the Earth, seas of no tiles and of a thousand.
+#[test]
+fn what_the_ocean_is_refused() {
+    for (table, line, refused) in [
+        (
+            "[sky]",
+            "sun_elevation_deg = nan",
+            "sky.sun_elevation_deg = nan: out of range; accepted: -10 to 90 deg",
+        ),
+        (
+            "[sky]",
+            "sun_elevation_deg = -11",
+            "sky.sun_elevation_deg = -11: out of range; accepted: -10 to 90 deg",
+        ),
+        (
+            "[sky]",
+            "sun_elevation_deg = 90.5",
+            "sky.sun_elevation_deg = 90.5: out of range; accepted: -10 to 90 deg",
+        ),
+        ("[sky]", "sun_azimuth_deg = inf", "sky.sun_azimuth_deg = inf: out of range; accepted: 0 to 360 deg"),
+        ("[sky]", "sun_azimuth_deg = -1", "sky.sun_azimuth_deg = -1: out of range; accepted: 0 to 360 deg"),
+        ("[sky]", "haze = -1", "sky.haze = -1: out of range; accepted: 0 to 20"),
+        ("[sky]", "cloud_cover = 1.1", "sky.cloud_cover = 1.1: out of range; accepted: 0 to 1"),
+        ("[sky]", "exposure_ev = 1e999", "sky.exposure_ev = 1e999: out of range; accepted: -20 to 20 EV"),
+        ("[sky]", "exposure_ev = -21", "sky.exposure_ev = -21: out of range; accepted: -20 to 20 EV"),
+        (
+            "[picture]",
+            "exposure_ev100 = -1000",
+            "picture.exposure_ev100 = -1000: out of range; accepted: -10 to 30 EV",
+        ),
+        (
+            "[picture]",
+            "exposure_ev100 = nan",
+            "picture.exposure_ev100 = nan: out of range; accepted: -10 to 30 EV",
+        ),
+        (
+            "[picture]",
+            "tone_map = \"agy\"",
+            "picture.tone_map = \"agy\": no such choice; did you mean \"agx\"? accepted: \"agx\", \"aces\", \
+             \"pbr-neutral\", \"none\"",
+        ),
+        (
+            "[camera]",
+            "position_m = [1e9, 4, 0]",
+            "camera.position_m[0] = 1e9: out of range; accepted: -10000000 to 10000000 m",
+        ),
+        (
+            "[camera]",
+            "position_m = [0, 1e9, 0]",
+            "camera.position_m[1] = 1e9: out of range; accepted: -100 to 100000 m",
+        ),
+        (
+            "[camera]",
+            "look_at_m = [0, 0, nan]",
+            "camera.look_at_m[2] = nan: out of range; accepted: -10000000 to 10000000 m",
+        ),
+        (
+            "[camera]",
+            "vertical_fov_deg = 0",
+            "camera.vertical_fov_deg = 0: out of range; accepted: 1 to 170 deg",
+        ),
+        (
+            "[camera]",
+            "vertical_fov_deg = 180",
+            "camera.vertical_fov_deg = 180: out of range; accepted: 1 to 170 deg",
+        ),
+        ("[sea]", "cascades = 0", "sea.cascades = 0: out of range; accepted: 1 to 8"),
+        ("[sea]", "cascades = 1000", "sea.cascades = 1000: out of range; accepted: 1 to 8"),
+        ("[sea]", "cascade = []", "sea.cascade = []: found 0; accepted: 1 to 8 tables [[sea.cascade]]"),
+        (
+            "[spectral-ocean]",
+            "absorption_per_m = [0, 1, 1]",
+            "spectral-ocean.absorption_per_m[0] = 0: out of range; accepted: 0.0001 to 10 1/m",
+        ),
+        (
+            "[spectral-ocean]",
+            "scattering_per_m = [1, 1, inf]",
+            "spectral-ocean.scattering_per_m[2] = inf: out of range; accepted: 0.0001 to 10 1/m",
+        ),
+        (
+            "[spectral-ocean]",
+            "bottom_albedo = [1, 1.5, 1]",
+            "spectral-ocean.bottom_albedo[1] = 1.5: out of range; accepted: 0 to 1",
+        ),
+        (
+            "[spectral-ocean]",
+            "visibility_km = 0",
+            "spectral-ocean.visibility_km = 0: out of range; accepted: 0.1 to 1000000 km",
+        ),
+        (
+            "[spectral-ocean]",
+            "curvature_radius_km = -6371",
+            "spectral-ocean.curvature_radius_km = -6371: out of range; accepted: 1 to 1000000 km",
+        ),
+    ] {
+        let message = ocean(table, line);
+        let (place, said) = message.split_once(": ").unwrap();
+        assert!(place.starts_with("storm.toml:"), "{message}");
+        assert_eq!(said, refused);
+    }
+    let thousand =
+        (0..1000).map(|i| format!("{{ tile_size_m = {}.5 }}", i + 10)).collect::<Vec<_>>().join(", ");
+    let message = ocean("[sea]", &format!("cascade = [{thousand}]"));
+    assert!(message.contains("found 1000; accepted: 1 to 8 tables [[sea.cascade]]"), "{message}");
+    // Foam follows from the sea: it has no keys.
+    let message = message_for("technique = \"spectral-ocean\"\n[foam]\ncover = nan\n");
+    assert!(message.starts_with("storm.toml:2: foam: unknown key; accepted here: "), "{message}");
+}
+
 #[test]
 fn an_element_of_an_array_has_its_own_line() {
     assert_eq!(

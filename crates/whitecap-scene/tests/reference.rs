@@ -161,7 +161,13 @@ fn values(accepts: &Accepts) -> Vec<Value> {
     }
 }
 
-/// Some values just outside.
+/// The triple with this value in place of one.
+fn with(mut triple: [f64; 3], i: usize, value: f64) -> Value {
+    triple[i] = value;
+    triple.to_vec().into()
+}
+
+/// Some values just outside, and some far.
 fn outside(accepts: &Accepts) -> Vec<Value> {
     match accepts {
         Accepts::Real { min, max, .. } => {
@@ -169,7 +175,9 @@ fn outside(accepts: &Accepts) -> Vec<Value> {
                 .map(Value::from)
                 .to_vec()
         }
-        Accepts::Integer { max, .. } => vec![(-1).into(), (*max as i64).wrapping_add(1).into()],
+        Accepts::Integer { min, max } => {
+            vec![(-1).into(), (*min as i64 - 1).into(), (*max as i64).wrapping_add(1).into()]
+        }
         Accepts::Integers(_) => vec![0.into(), 63.into(), i64::MAX.into()],
         Accepts::Words(_) => vec!["".into(), "Word".into()],
         Accepts::WordsOrTable { key, max, .. } => {
@@ -177,13 +185,17 @@ fn outside(accepts: &Accepts) -> Vec<Value> {
             vec!["".into(), "Word".into(), number(key), number("other")]
         }
         Accepts::Colour { min, max, .. } => {
-            vec![vec![*min, *min, max.next_up()].into(), vec![min.next_down(), *min, *min].into()]
+            let odd = [max.next_up(), min.next_down(), f64::NAN, f64::INFINITY];
+            odd.into_iter().enumerate().map(|(i, value)| with([*min; 3], i % 3, value)).collect()
         }
         Accepts::Pair { min, max, .. } => {
             vec![vec![*min, max.next_up()].into(), vec![*min].into(), vec![*min; 3].into()]
         }
         Accepts::Flag => vec![1.into(), "true".into()],
-        Accepts::Point { max: [x, y, z], .. } => vec![vec![*x, y.next_up(), *z].into()],
+        Accepts::Point { min, max } => {
+            let odd = |i: usize| [max[i].next_up(), min[i].next_down(), f64::NAN, f64::INFINITY, 1e9, -1e9];
+            (0..3).flat_map(|i| odd(i).map(|value| with(*max, i, value))).collect()
+        }
         Accepts::File => vec!["".into(), "a\0b".into()],
         Accepts::Name => vec!["".into()],
         Accepts::Time => vec!["".into(), "2023-02-29T00:00:00Z".into(), "2022-09-12".into()],

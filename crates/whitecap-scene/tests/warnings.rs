@@ -4,6 +4,16 @@
 
 use whitecap_scene::Scene;
 
+/// An OpenEXR file of 8 × 4 pixels of this light, but for two.
+fn write_sky(path: &std::path::Path, odd: [f32; 2]) {
+    exr::prelude::write_rgb_file(path, 8, 4, |x, y| match (x, y) {
+        (0, 0) => (odd[0], 1.0, 1.0),
+        (1, 0) => (1.0, odd[1], 1.0),
+        _ => (1.0, 1.0, 1.0),
+    })
+    .unwrap();
+}
+
 /// A scene of these keys of the sea and these systems, lines apart by "; ".
 fn read(sea: &str, systems: &[&str]) -> Result<Scene, String> {
     let systems = systems.iter().map(|system| format!("[[sea.system]]; from_deg = 270.0; {system}; "));
@@ -164,4 +174,48 @@ fn tiles_that_hold_few_waves_of_the_peak() {
     one(tiles, &[SWELL], &["sea.cascade[1].tile_size_m = 150: ", "holds 1.5 waves"]);
     // What is planned holds eight.
     assert_eq!(warnings("", &[SWELL]), Vec::<String>::new());
+}
+
+/// The eye in the water, under its bottom and in an island, each with how deep.
+#[test]
+fn cameras_that_are_in_the_way_of_what_they_look_at() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("sea.toml");
+    let island = "[[object]]\nmesh = \"island\"\n";
+    for (sea, position_m, object, words) in [
+        ("", "[0, 0.0, 0]", "", &[][..]),
+        ("", "[0, -2.5, 0]", "", &["position_m = [0.0, -2.5, 0.0]: 2.5 m under the level of the sea"]),
+        ("depth_m = 8.0", "[0, -7.5, 0]", "", &["7.5 m under the level of the sea"]),
+        ("depth_m = 8.0", "[0, -100, 0]", "", &["92.0 m under the bottom of the sea"]),
+        ("", "[0, 2.0, 0]", island, &["m inside the ground that the objects make there"]),
+        ("", "[0, 200.0, 0]", island, &[]),
+        ("", "[1e6, 2.0, 0]", island, &[]),
+    ] {
+        let text = format!(
+            "technique = \"spectral-ocean\"\n[sea]\n{sea}\n[[sea.system]]\nfrom_deg = 270.0\n{}\n[camera]\n\
+             position_m = {position_m}\nlook_at_m = [9, 0, 0]\n{object}",
+            "spectrum = 'jonswap'\nsignificant_height_m = 1\npeak_period_s = 6"
+        );
+        std::fs::write(&path, text).unwrap();
+        let found = Scene::load(&path).unwrap().warnings;
+        assert!(found.len() == words.len() && words.iter().all(|word| found[0].contains(word)), "{found:?}");
+    }
+}
+
+/// What is no light in the picture of a sky is counted.
+#[test]
+fn panoramas_that_hold_what_is_no_light() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("sea.toml");
+    let text = "technique = \"spectral-ocean\"\n[[sea.system]]\nfrom_deg = 270.0\nspectrum = 'jonswap'\nsea_state = 3\n\
+                [sky]\nkind = \"panorama\"\nfile = \"sky.exr\"\n[camera]\nposition_m = [0, 4, 0]\nlook_at_m = [9, 0, 0]\n";
+    std::fs::write(&path, text).unwrap();
+    for (odd, count) in [([1.0, 2.0], 0), ([f32::NAN, 2.0], 1), ([1.0, -3.0], 1), ([-1.0, f32::INFINITY], 2)]
+    {
+        write_sky(&folder.path().join("sky.exr"), odd);
+        let found = Scene::load(&path).unwrap().warnings;
+        let said = format!("sky.file: {count} of 32 pixels are negative, not finite or brighter");
+        let is_said = found.len() == 1 && found[0].starts_with(&said);
+        assert!(if count == 0 { found.is_empty() } else { is_said }, "{odd:?}: {found:?}");
+    }
 }
