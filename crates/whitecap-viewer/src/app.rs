@@ -475,10 +475,11 @@ impl ApplicationHandler for App {
             WindowEvent::DroppedFile(path) => self.open(&path.to_string_lossy()),
             WindowEvent::KeyboardInput { event, .. } => {
                 // Keys that are let go of count even over the panel.
-                if !is_taken || event.state == ElementState::Released {
-                    if let PhysicalKey::Code(code) = event.physical_key {
-                        self.key(code, event.state, event.repeat);
-                    }
+                let counts = !is_taken || event.state == ElementState::Released;
+                if let PhysicalKey::Code(code) = event.physical_key
+                    && counts
+                {
+                    self.key(code, event.state, event.repeat);
                 }
             }
             WindowEvent::CursorMoved { position, .. } => self.drag_to(position.x, position.y),

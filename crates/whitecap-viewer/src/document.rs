@@ -327,7 +327,7 @@ mod tests {
         assert_eq!(*document.scene(), before);
         let sentence = document.refusal(&wind()).unwrap();
         assert!(sentence.contains("wind_speed_mps") && sentence.contains("accepted"), "{sentence}");
-        assert!(document.set(&wind(), Some(Value::Float(9.0))));
+        assert!(document.set(&wind(), Some(Value::Float(9.5))));
         assert_eq!(document.refusal(&wind()), None);
     }
 

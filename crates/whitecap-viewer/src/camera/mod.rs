@@ -183,11 +183,7 @@ mod tests {
             rig.go(0.0, 1.0, 1.0, 1e6, 1.0);
             rig.turn(0.4, 3.0);
         }
-        let text = format!(
-            "technique = \"spectral-ocean\"\n[camera]\nposition_m = {:?}\nlook_at_m = {:?}\n",
-            rig.camera().position_m,
-            rig.camera().look_at_m
-        );
-        whitecap_scene::Scene::from_toml(&text, "far.toml").unwrap();
+        let scene = whitecap_scene::open("spectral-ocean").unwrap();
+        whitecap_scene::Scene { camera: rig.camera(), ..scene }.to_toml().unwrap();
     }
 }

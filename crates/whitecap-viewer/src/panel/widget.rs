@@ -123,7 +123,7 @@ fn text(ui: &mut Ui, value: &str) -> Option<Value> {
     let response = ui.text_edit_singleline(&mut edited);
     if response.lost_focus() {
         ui.data_mut(|data| data.remove::<String>(id));
-        return (edited != value).then(|| Value::String(edited));
+        return (edited != value).then_some(Value::String(edited));
     }
     if response.has_focus() {
         ui.data_mut(|data| data.insert_temp(id, edited));

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)] // a test that cannot go on should stop
 #![allow(clippy::print_stderr)] // and one that is skipped says so
 
+mod keys;
 mod screen;
 
 use assert_cmd::Command;
