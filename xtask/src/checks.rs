@@ -49,6 +49,9 @@ pub(crate) fn run() -> Result<()> {
             if let Err(error) = setup::ensure_adapter(&whitecap) {
                 tally.fail("set-up", &format!("{error:#}"));
             }
+            if let Err(error) = setup::ensure_screen() {
+                tally.fail("set-up", &format!("{error:#}"));
+            }
             tests(&mut tally)?;
         }
         Err(error) => tally.fail("build of the tests", &format!("{error:#}")),

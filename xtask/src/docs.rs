@@ -6,11 +6,13 @@ use anyhow::{Context, Result};
 use std::path::Path;
 
 pub(crate) fn run() -> Result<()> {
-    process::heading("scene keys, accuracies and what commands print");
+    process::heading("scene keys, accuracies, keys and what commands print");
     // Each is a test that writes what it would compare.
-    for arguments in
-        [&["--test", "scene_reference", "--test", "accuracy"][..], &["--test", "command", "--", "docs::"]]
-    {
+    for arguments in [
+        &["--test", "scene_reference", "--test", "accuracy"][..],
+        &["--test", "command", "--", "docs::"],
+        &["--test", "view", "--", "keys::"],
+    ] {
         let mut test = process::cargo();
         test.args(["test", "--workspace"]).args(arguments);
         process::run(test.env("WHITECAP_UPDATE_DOCS", "1"))?;

@@ -13,6 +13,10 @@ use std::process::{Command, Stdio};
 /// Debian's names for the Vulkan loader and Mesa's drivers, a software one among them.
 const DEBIAN_PACKAGES: [&str; 2] = ["libvulkan1", "mesa-vulkan-drivers"];
 
+/// Debian's names for a screen in memory, and for what a window on one loads when it opens.
+const SCREEN_PACKAGES: [&str; 7] =
+    ["xvfb", "libx11-6", "libx11-xcb1", "libxcursor1", "libxi6", "libxkbcommon0", "libxkbcommon-x11-0"];
+
 const BY_HAND: &str =
     "Debian, Ubuntu:  sudo apt-get update && sudo apt-get install -y libvulkan1 mesa-vulkan-drivers
 Fedora:          sudo dnf install -y vulkan-loader mesa-vulkan-drivers
@@ -36,7 +40,8 @@ pub(crate) fn ensure_adapter(whitecap: &Path) -> Result<()> {
     process::say("There is no Vulkan, Metal or Direct3D 12 adapter on this machine, and whitecap needs one.");
     process::say("Mesa's drivers bring a software adapter, which works without a graphics card.");
     match way_to_install() {
-        Way::Apt { sudo } => install(sudo)?,
+        Way::Apt { sudo } => install(sudo, &DEBIAN_PACKAGES)
+            .with_context(|| format!("the driver could not be installed. By hand:\n{BY_HAND}\nThe cause"))?,
         Way::ByHand { reason } => bail!("{reason}. Install a driver by hand, then try again:\n{BY_HAND}"),
     }
     match compliant_adapter(whitecap)? {
@@ -104,10 +109,33 @@ fn is_root() -> bool {
     Command::new("id").arg("-u").output().is_ok_and(|id| id.stdout.trim_ascii() == b"0")
 }
 
-fn install(sudo: bool) -> Result<()> {
-    let packages = DEBIAN_PACKAGES.join(" and ");
+/// Returns once windows can be tested: on Linux, with a screen in memory and the libraries that a window loads.
+pub(crate) fn ensure_screen() -> Result<()> {
+    if !cfg!(target_os = "linux") {
+        return Ok(());
+    }
+    process::heading("set-up: a screen in memory");
+    let output = |program: &str, argument: &str| Command::new(program).arg(argument).output();
+    let libraries = output("ldconfig", "-p").map(|found| String::from_utf8_lossy(&found.stdout).into_owned());
+    let has_libraries = libraries.is_ok_and(|list| {
+        ["libX11-xcb.so.1", "libXcursor.so.1", "libXi.so.6", "libxkbcommon-x11.so.0"]
+            .iter()
+            .all(|name| list.contains(name))
+    });
+    if has_libraries && output("Xvfb", "-help").is_ok() {
+        process::say("found: Xvfb");
+        return Ok(());
+    }
+    match way_to_install() {
+        Way::Apt { sudo } => install(sudo, &SCREEN_PACKAGES),
+        Way::ByHand { reason } => bail!("{reason}. Install by hand: {}", SCREEN_PACKAGES.join(" ")),
+    }
+}
+
+fn install(sudo: bool, packages: &[&str]) -> Result<()> {
+    let names = packages.join(", ");
     let through = if sudo { " (through sudo)" } else { "" };
-    process::say(&format!("Installing {packages} with apt-get{through} ..."));
+    process::say(&format!("Installing {names} with apt-get{through} ..."));
     let apt = |arguments: &[&str]| {
         let mut command = Command::new(if sudo { "sudo" } else { "apt-get" });
         if sudo {
@@ -118,8 +146,7 @@ fn install(sudo: bool) -> Result<()> {
     };
     twice(|| process::run(&mut apt(&["update"]))).context("the list of packages could not be fetched")?;
     let install = ["install", "-y", "--no-install-recommends"];
-    twice(|| process::run(apt(&install).args(DEBIAN_PACKAGES)))
-        .with_context(|| format!("the driver could not be installed. By hand:\n{BY_HAND}\nThe cause"))
+    twice(|| process::run(apt(&install).args(packages)))
 }
 
 /// Mirrors fail now and then, half-way; a second try nearly always helps.

@@ -12,7 +12,8 @@ const RULES: &[(&str, &[&str], &[&str])] = &[
     ("whitecap-waves", &[], &["wgpu", "naga", "clap", "toml", "serde", "image", "pollster", "getrandom"]),
     ("whitecap-scene", &["whitecap-waves"], &["wgpu", "naga", "clap", "anyhow"]),
     ("whitecap-render", &["whitecap-waves", "whitecap-scene"], &["clap", "anyhow", "indicatif"]),
-    ("whitecap", &["whitecap-waves", "whitecap-scene", "whitecap-render"], &[]),
+    ("whitecap-viewer", &["whitecap-waves", "whitecap-scene", "whitecap-render"], &["clap", "anyhow"]),
+    ("whitecap", &["whitecap-waves", "whitecap-scene", "whitecap-render", "whitecap-viewer"], &[]),
     ("whitecap-tests", &["whitecap-waves", "whitecap-scene", "whitecap-render"], &["clap"]),
     ("xtask", &[], &["clap", "wgpu"]),
 ];

@@ -73,10 +73,35 @@ pub fn list_adapters() -> Vec<AdapterDescription> {
 /// driver and takes as long as the first.
 const BACKENDS: [wgpu::Backends; 2] = [wgpu::Backends::PRIMARY, wgpu::Backends::GL];
 
-pub(super) fn choose(wanted: Option<&str>) -> Result<(wgpu::Adapter, AdapterDescription), RenderError> {
+/// An adapter and what it is called.
+type Described = (wgpu::Adapter, AdapterDescription);
+
+pub(super) fn choose(wanted: Option<&str>) -> Result<Described, RenderError> {
+    first(BACKENDS.iter().map(|backends| enumerate(*backends)), wanted)
+}
+
+/// As [`choose`], of one instance, among those that can show on `surface`.
+pub(super) fn choose_showing(
+    instance: &wgpu::Instance,
+    surface: &wgpu::Surface<'_>,
+    wanted: Option<&str>,
+) -> Result<Described, RenderError> {
+    let showing = |backends: &wgpu::Backends| {
+        let mut found = enumerate_of(instance, *backends);
+        found.retain(|(adapter, _)| adapter.is_surface_supported(surface));
+        found
+    };
+    first(BACKENDS.iter().map(showing), wanted)
+}
+
+/// The first that is wanted, of lists that are made one after the other as they are needed.
+fn first(
+    lists: impl Iterator<Item = Vec<Described>>,
+    wanted: Option<&str>,
+) -> Result<Described, RenderError> {
     let mut seen = Vec::new();
-    for backends in BACKENDS {
-        for (adapter, description) in enumerate(backends) {
+    for list in lists {
+        for (adapter, description) in list {
             if wanted.is_none_or(|wanted| description.matches(wanted)) {
                 return Ok((adapter, description));
             }
@@ -106,10 +131,13 @@ pub(super) fn limits(adapter: &wgpu::Adapter) -> wgpu::Limits {
 }
 
 /// The adapters of some backends, the best first.
-fn enumerate(backends: wgpu::Backends) -> Vec<(wgpu::Adapter, AdapterDescription)> {
+fn enumerate(backends: wgpu::Backends) -> Vec<Described> {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
     descriptor.backends = backends;
-    let instance = wgpu::Instance::new(descriptor);
+    enumerate_of(&wgpu::Instance::new(descriptor), backends)
+}
+
+fn enumerate_of(instance: &wgpu::Instance, backends: wgpu::Backends) -> Vec<Described> {
     let adapters = pollster::block_on(instance.enumerate_adapters(backends));
     let mut found: Vec<_> = adapters
         .into_iter()

@@ -39,7 +39,25 @@ impl Gpu {
     /// matches `wanted`, [`RenderError::Device`] when the driver refuses a device.
     pub fn open(wanted: Option<&str>) -> Result<Gpu, RenderError> {
         let (adapter, description) = adapter::choose(wanted)?;
-        let limits = adapter::limits(&adapter);
+        Gpu::of(&adapter, description)
+    }
+
+    /// As [`Gpu::open`], but one of `instance`'s adapters that can show on `surface`, and the adapter itself.
+    ///
+    /// # Errors
+    ///
+    /// As [`Gpu::open`].
+    pub fn open_showing(
+        instance: &wgpu::Instance,
+        surface: &wgpu::Surface<'_>,
+        wanted: Option<&str>,
+    ) -> Result<(Gpu, wgpu::Adapter), RenderError> {
+        let (adapter, description) = adapter::choose_showing(instance, surface, wanted)?;
+        Ok((Gpu::of(&adapter, description)?, adapter))
+    }
+
+    fn of(adapter: &wgpu::Adapter, description: AdapterDescription) -> Result<Gpu, RenderError> {
+        let limits = adapter::limits(adapter);
         let request = adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("whitecap"),
             required_features: wgpu::Features::empty(),

@@ -11,6 +11,7 @@ mod probe;
 mod render;
 mod scenes;
 mod spectrum;
+mod view;
 
 use crate::failure::Failure;
 use std::io::Write as _;
@@ -39,6 +40,7 @@ pub(crate) struct Cli {
 #[derive(Debug, clap::Subcommand)]
 pub(crate) enum Verb {
     Render(render::Render),
+    View(view::View),
     Gallery(gallery::Gallery),
     Probe(probe::Probe),
     Spectrum(spectrum::Spectrum),
@@ -55,6 +57,7 @@ impl Verb {
     pub(crate) fn run(&self, started: Instant) -> Result<ExitCode, Failure> {
         match self {
             Verb::Render(render) => render.run(started),
+            Verb::View(view) => view.run(),
             Verb::Gallery(gallery) => gallery.run(started),
             Verb::Probe(probe) => probe.run(),
             Verb::Spectrum(spectrum) => spectrum.run(),
@@ -78,7 +81,7 @@ impl Verb {
             Verb::Check(check) => check.json,
             Verb::Scenes(scenes) => scenes.json,
             // Its answer is always a list, if an empty one.
-            Verb::Adapters(_) | Verb::Completions(_) | Verb::Man(_) => false,
+            Verb::View(_) | Verb::Adapters(_) | Verb::Completions(_) | Verb::Man(_) => false,
         }
     }
 }
