@@ -152,31 +152,36 @@ fn a_passed_over_hour_is_a_warning() {
     assert!(said.contains("44097.swr1; accepted: another time, or from_deg"), "{said}");
 }
 
+/// The warnings of a record of five frequencies, with these values in its files.
+fn warnings_of(r1: &str, r2: &str, density: &str) -> Vec<String> {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = write(folder.path(), "measured = \"data/44097.data_spec\"");
+    let rows = |values: &str| {
+        let pairs = values
+            .split(' ')
+            .zip(1..)
+            .map(|(value, i)| format!(" {value} ({:.3})", 0.1 + 0.01 * f64::from(i)));
+        pairs.collect::<String>()
+    };
+    for (extension, head, values) in [
+        ("data_spec", "Sep_Freq < spec_1", density),
+        ("swdir", "alpha1_1", "270 270 270 270 270"),
+        ("swdir2", "alpha2_1", "270 270 270 270 270"),
+        ("swr1", "r1_1", r1),
+        ("swr2", "r2_1", r2),
+    ] {
+        let text = format!("#YY MM DD hh mm {head}\n2020 06 08 05 50{}\n", rows(values));
+        std::fs::write(folder.path().join(format!("data/44097.{extension}")), text).unwrap();
+    }
+    Scene::load(&scene).unwrap().warnings
+}
+
 /// r1 = 0.9 and r2 = 0.1 in line: |c₂ − c₁²| = 0.71, and 1 − r₁² is 0.19. The first two of five bands hold 3 of 9 parts of the
 /// energy, the first alone one.
 #[test]
 fn directions_that_no_waves_have_are_a_warning() {
     let said = |r1: &str, r2: &str, density: &str| {
-        let folder = tempfile::tempdir().unwrap();
-        let scene = write(folder.path(), "measured = \"data/44097.data_spec\"");
-        let rows = |values: &str| {
-            let pairs = values
-                .split(' ')
-                .zip(1..)
-                .map(|(value, i)| format!(" {value} ({:.3})", 0.1 + 0.01 * f64::from(i)));
-            pairs.collect::<String>()
-        };
-        for (extension, head, values) in [
-            ("data_spec", "Sep_Freq < spec_1", density),
-            ("swdir", "alpha1_1", "270 270 270 270 270"),
-            ("swdir2", "alpha2_1", "270 270 270 270 270"),
-            ("swr1", "r1_1", r1),
-            ("swr2", "r2_1", r2),
-        ] {
-            let text = format!("#YY MM DD hh mm {head}\n2020 06 08 05 50{}\n", rows(values));
-            std::fs::write(folder.path().join(format!("data/44097.{extension}")), text).unwrap();
-        }
-        let warnings = Scene::load(&scene).unwrap().warnings;
+        let warnings = warnings_of(r1, r2, density);
         warnings.into_iter().filter(|warning| warning.contains("directional moments")).collect::<Vec<_>>()
     };
     let energy = "1 2 3 2 1";
@@ -392,4 +397,18 @@ fn no_tile_is_without_waves() {
     let sea = Scene::load(&scene).unwrap().sea.build(1).unwrap();
     let SeaSurface::Spectral(sea) = sea else { panic!("another sea") };
     assert!(sea.tiles().iter().all(|tile| tile.variance_m2() > 0.0), "{:?}", sea.parameters().cascades);
+}
+
+/// A value that one of the four files lacks leaves its frequency without directions: the third of five, with 3 of 9 parts of the
+/// energy.
+#[test]
+fn frequencies_without_directions_are_a_warning() {
+    let usual = "0.80 0.80 0.80 0.80 0.80";
+    let said = |r2: &str| {
+        let warnings = warnings_of(usual, r2, "1 2 3 2 1");
+        warnings.into_iter().filter(|warning| warning.contains("no directions")).collect::<Vec<_>>()
+    };
+    assert_eq!(said("0.50 0.50 0.50 0.50 0.50"), Vec::<String>::new());
+    let found = said("0.50 0.50 999.0 0.50 0.50");
+    assert!(found.len() == 1 && found[0].contains("1 frequencies, with 33.3 %"), "{found:?}");
 }

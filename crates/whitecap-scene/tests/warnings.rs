@@ -219,3 +219,14 @@ fn panoramas_that_hold_what_is_no_light() {
         assert!(if count == 0 { found.is_empty() } else { is_said }, "{odd:?}: {found:?}");
     }
 }
+
+/// Ω = 5, the youngest sea of the law, is that of some 2 km under 20 m/s.
+#[test]
+fn fetches_shorter_than_the_law_of_elfouhaily_knows() {
+    let said = |fetch_km: f64| {
+        let system = format!("spectrum = 'elfouhaily'; wind_speed_mps = 20.0; fetch_km = {fetch_km:?}");
+        warnings("", &[&system]).into_iter().any(|warning| warning.contains("inverse wave age"))
+    };
+    assert!(said(0.1) && said(2.0));
+    assert!(!said(10.0) && !said(300.0));
+}

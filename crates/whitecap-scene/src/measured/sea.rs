@@ -172,6 +172,17 @@ impl MeasuredSea {
         found
     }
 
+    /// How many frequencies have energy but no moments of directions, where others have them, and their share of the record's
+    /// variance: the files of directions lack them.
+    pub fn undirected(&self) -> (usize, f64) {
+        let Energy::Moments { density, moments } = &self.energy else { return (0, 0.0) };
+        let lacking = density.iter().zip(moments).zip(self.widths_hz());
+        let lacking = lacking.filter(|((s, moments), _)| **s > 0.0 && moments.is_none());
+        let (count, variance_m2) =
+            lacking.fold((0, 0.0), |(count, sum), ((s, _), width)| (count + 1, sum + s * width));
+        (count, if count > 0 { variance_m2 / self.variance_m2() } else { 0.0 })
+    }
+
     /// The variance in m² that waves above the last frequency have if they go on from there as f⁻⁵, as those of a wind
     /// sea do (Phillips, *J. Fluid Mech.* 4, 1958): S f/4 of the last frequency. The record does not have it.
     pub fn variance_beyond_m2(&self) -> f64 {

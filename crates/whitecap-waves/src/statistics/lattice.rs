@@ -159,8 +159,9 @@ pub fn frequency_bins(tiles: &[LatticeWaves], dispersion: Dispersion) -> Vec<Fre
         .filter_map(|tile| tile.reach().map(|(low, high)| (tile, low - 1e-9 * low, high + 1e-9 * high)))
         .collect();
     let Some(edges) = edges(&reaches) else { return Vec::new() };
+    let bounds = bounds(&reaches);
     let mut sums = vec![(DirectionalSum::default(), 0.0); edges.len() - 1];
-    for &(tile, low, high) in &reaches {
+    for (&(tile, low, high), &(from, to)) in reaches.iter().zip(&bounds) {
         for (k, energy_m2) in tile.waves() {
             let length = k.length();
             if let Some(bin) = edges.partition_point(|&edge| edge <= length).checked_sub(1)
@@ -169,7 +170,7 @@ pub fn frequency_bins(tiles: &[LatticeWaves], dispersion: Dispersion) -> Vec<Fre
             {
                 let (sum, area) = &mut sums[bin];
                 sum.add(energy_m2, k / length);
-                *area += tile.spacing() * tile.spacing();
+                *area += tile.spacing() * tile.spacing() * share_within(k, tile.spacing(), from, to);
             }
         }
     }
@@ -188,6 +189,32 @@ pub fn frequency_bins(tiles: &[LatticeWaves], dispersion: Dispersion) -> Vec<Fre
         }
     })
     .collect()
+}
+
+/// Where each lattice hands over to the next: the wave numbers that its own waves lie between, rad/m. A cell that a border
+/// cuts has energy on both lattices, with its middle up to half a diagonal beyond the border on either.
+fn bounds(reaches: &[(&LatticeWaves, f64, f64)]) -> Vec<(f64, f64)> {
+    let mut by_length: Vec<usize> = (0..reaches.len()).collect();
+    by_length.sort_by(|&a, &b| reaches[a].1.total_cmp(&reaches[b].1));
+    let mut bounds = vec![(0.0, f64::INFINITY); reaches.len()];
+    for pair in by_length.windows(2) {
+        let ((coarse, _, high), (fine, low, _)) = (reaches[pair[0]], reaches[pair[1]]);
+        let both = coarse.spacing() + fine.spacing();
+        if low - high < both {
+            let border = high - (high - low) * coarse.spacing() / both;
+            (bounds[pair[0]].1, bounds[pair[1]].0) = (border, border);
+        }
+    }
+    bounds
+}
+
+/// How much of the cell about `k` lies between two wave numbers, as if they bounded it by straight lines.
+fn share_within(k: DVec2, spacing: f64, from: f64, to: f64) -> f64 {
+    let length = k.length();
+    // Across the way that the wave runs.
+    let width = spacing * (k.x.abs() + k.y.abs()) / length.max(f64::MIN_POSITIVE);
+    let below = |border: f64| (0.5 + (border - length) / width).clamp(0.0, 1.0);
+    below(to) - below(from)
 }
 
 /// Of the rings, rising in wave number.

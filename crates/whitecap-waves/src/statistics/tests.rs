@@ -2,7 +2,10 @@ use super::*;
 use crate::GRAVITY_MPS2;
 use crate::direction::{nautical_from_toward, toward_from_nautical};
 use crate::dispersion::Dispersion;
-use crate::model::spectral::{Amplitudes, Band, SpectralTile, SpectralTileParameters, Water};
+use crate::model::spectral::{
+    Amplitudes, Band, Cascade, SpectralSea, SpectralSeaParameters, SpectralTile, SpectralTileParameters,
+    Water,
+};
 use crate::model::{Surface, SurfacePoint, TileFields, WaveModel};
 use crate::spectrum::WaveSpectrum;
 use crate::spectrum::phillips::{Phillips, PhillipsParameters};
@@ -271,6 +274,39 @@ fn rings_of_the_lattice_follow_the_spectrum() {
     near(sectors[0], spectrum.variance_m2() * 2.0 / PI, 0.08);
     near(sectors[3] / sectors[0], 0.5, 0.15);
     assert!(sectors[12] < 1e-6 * sectors[0], "{sectors:?}");
+}
+
+/// Where a tile hands over to the next, rings hold cells of both, and what they measure is the spectrum all the same.
+#[test]
+fn rings_across_the_borders_of_tiles_follow_the_spectrum() {
+    let spectrum = west_wind(10.0);
+    let cascades = Cascade::split(&[(1000.0, 128), (210.0, 128), (37.0, 64)]);
+    let borders: Vec<f64> = cascades[1..].iter().map(|cascade| cascade.band.from).collect();
+    let parameters = SpectralSeaParameters {
+        cascades,
+        choppiness: 1.0,
+        water: Water::STILL,
+        seed: 4,
+        amplitudes: Amplitudes::Deterministic,
+    };
+    let mut tiles = SpectralSea::new(parameters, &[spectrum]).unwrap().into_tiles();
+    let surface = SurfaceStatistics::measure(
+        tiles.iter_mut().map(|tile| tile as &mut dyn WaveModel),
+        &Water::STILL,
+        0.0,
+    );
+    let samples = PolarSpectrum::of(&[spectrum], Dispersion::DEEP, Band::WHOLE).unwrap().frequency_spectrum();
+    let mut at_borders = 0;
+    for bin in surface.bins.iter().filter(|bin| (0.5..2.0).contains(&bin.filled) && bin.frequency_hz > 0.12) {
+        let wave_number = Dispersion::DEEP.wave_number(TAU * bin.frequency_hz);
+        let is_near = borders.iter().any(|border| (wave_number / border - 1.0).abs() < 0.15);
+        let after = samples.partition_point(|sample| sample.0 < bin.frequency_hz);
+        if is_near {
+            near(bin.density_m2phz, samples[after].1, 0.12);
+            at_borders += 1;
+        }
+    }
+    assert!(at_borders >= 6, "{at_borders}");
 }
 
 /// One sine of amplitude 1 m, 20 m long.

@@ -3,7 +3,7 @@
 use whitecap_waves::ParameterError;
 use whitecap_waves::dispersion::Dispersion;
 use whitecap_waves::spectrum::Omnidirectional;
-use whitecap_waves::spectrum::elfouhaily::Elfouhaily;
+use whitecap_waves::spectrum::elfouhaily::{Elfouhaily, YOUNGEST, inverse_age};
 
 use super::System;
 use super::asked::{self, ANOTHER_WAY, Asked, Way};
@@ -57,6 +57,18 @@ impl Parametric for ElfouhailySystem {
             peak_period_s: self.peak_period_s,
             sea_state: self.sea_state,
         }
+    }
+
+    fn bent(&self) -> Option<String> {
+        let Ok(Way::Wind { speed_mps, fetch_m: Some(fetch_m) }) = self.asked().way() else { return None };
+        let asked = inverse_age(speed_mps, fetch_m);
+        (asked > YOUNGEST).then(|| {
+            format!(
+                "fetch_km = {}: so short a way under {speed_mps:.1} m/s of wind would be an inverse wave age of {asked:.1}, beyond \
+                 Elfouhaily's law, which ends at {YOUNGEST}; that sea is drawn, higher than the fetch raises",
+                fetch_m / 1000.0
+            )
+        })
     }
 
     fn spread(&self) -> Spread {

@@ -140,6 +140,7 @@ impl MeasuredSystem {
         let about_file = [
             self.skipped(&seas, chosen),
             self.contradicting(chosen),
+            self.undirected(chosen),
             self.resummed(&drawn, spectrum),
             self.cut_off(&drawn),
         ];
@@ -178,6 +179,18 @@ impl MeasuredSystem {
             format!(
                 "{}: {frequencies} of {of} frequencies, with {:.1} % of the energy, have directional moments r1, r2, alpha1 and \
                  alpha2 that no distribution of directions has; there r2 and alpha2 are drawn as the nearest that one has",
+                self.measured.display(),
+                100.0 * share
+            )
+        })
+    }
+
+    fn undirected(&self, chosen: &MeasuredSea) -> Option<String> {
+        let (frequencies, share) = chosen.undirected();
+        (share > CONTRADICTING).then(|| {
+            format!(
+                "{}: {frequencies} frequencies, with {:.1} % of the energy, have no directions in the four files of them; theirs are \
+                 those of their neighbours",
                 self.measured.display(),
                 100.0 * share
             )

@@ -168,6 +168,7 @@ impl System {
                     let asked = system.asked();
                     let mut warnings =
                         warnings::about(&asked, height_m, period_s, system.gamma(), dispersion);
+                    warnings.extend(system.bent());
                     warnings.extend(warnings::about_period(&asked, spectrum, dispersion));
                     warnings
                 },

@@ -20,6 +20,11 @@ pub(super) trait Parametric {
         None
     }
 
+    /// Where its law ends short of what is asked of it: a sentence without a full stop.
+    fn bent(&self) -> Option<String> {
+        None
+    }
+
     /// Its directions.
     fn spread(&self) -> Spread;
 

@@ -41,6 +41,15 @@ pub(crate) const SLOWEST_MPS: f64 = 0.23;
 /// Ω of the fully developed sea.
 pub const FULLY_DEVELOPED: f64 = 0.84;
 
+/// Ω of the youngest sea that the spectrum is of.
+pub const YOUNGEST: f64 = 5.0;
+
+/// Ω under a wind over `fetch_m` metres of water: 0.84 tanh((g F/(U² 2.2e4))^0.4)^−0.75 (their equation 37).
+pub fn inverse_age(wind_speed_mps: f64, fetch_m: f64) -> f64 {
+    let fetch = GRAVITY_MPS2 * fetch_m / (wind_speed_mps * wind_speed_mps);
+    FULLY_DEVELOPED * libm::pow(libm::tanh(libm::pow(fetch / 2.2e4, 0.4)), -0.75)
+}
+
 /// ω of the greatest S(ω) of the fully developed sea over that of kp, while the peak is far from the ripples.
 const DENSEST: f64 = 1.036_76;
 
@@ -76,7 +85,7 @@ impl Elfouhaily {
     /// If one of them is out of its range.
     pub fn from_wind_and_age(wind_speed_mps: f64, inverse_wave_age: f64) -> Result<Self, ParameterError> {
         check_wind(wind_speed_mps)?;
-        check("inverse_wave_age", inverse_wave_age, "from 0.5 to 5", |age| (0.5..=5.0).contains(&age))?;
+        check("inverse_wave_age", inverse_wave_age, "from 0.5 to 5", |age| (0.5..=YOUNGEST).contains(&age))?;
         let age = inverse_wave_age;
         let sigma = 0.08 * (1.0 + 4.0 / (age * age * age));
         let gamma = if age < 1.0 { 1.7 } else { 1.7 + 6.0 * libm::log10(age) };
@@ -97,7 +106,7 @@ impl Elfouhaily {
     }
 
     /// The sea that a wind raises over `fetch_m` metres of water, 1 to 1e8:
-    /// Ω = 0.84 tanh((g F/(U² 2.2e4))^0.4)^−0.75 (their equation 37), at most 5.
+    /// [`inverse_age`], at most [`YOUNGEST`].
     ///
     /// # Errors
     ///
@@ -105,9 +114,7 @@ impl Elfouhaily {
     pub fn from_wind_and_fetch(wind_speed_mps: f64, fetch_m: f64) -> Result<Self, ParameterError> {
         check_wind(wind_speed_mps)?;
         check("fetch_m", fetch_m, "from 1 to 1e8", |f| (1.0..=1e8).contains(&f))?;
-        let fetch = GRAVITY_MPS2 * fetch_m / (wind_speed_mps * wind_speed_mps);
-        let grown = libm::tanh(libm::pow(fetch / 2.2e4, 0.4));
-        Self::from_wind_and_age(wind_speed_mps, (FULLY_DEVELOPED * libm::pow(grown, -0.75)).min(5.0))
+        Self::from_wind_and_age(wind_speed_mps, inverse_age(wind_speed_mps, fetch_m).min(YOUNGEST))
     }
 
     /// The fully developed sea that is as high as asked for, 0..=100 m: that of the wind whose sea it is, found
