@@ -2,8 +2,19 @@
 
 use crate::{json, names_in, sentence, stderr, stdout, whitecap};
 
-const VERBS: [&str; 10] =
-    ["render", "gallery", "probe", "spectrum", "bench", "check", "scenes", "adapters", "completions", "man"];
+const VERBS: [&str; 11] = [
+    "render",
+    "view",
+    "gallery",
+    "probe",
+    "spectrum",
+    "bench",
+    "check",
+    "scenes",
+    "adapters",
+    "completions",
+    "man",
+];
 
 #[test]
 fn every_verb_is_listed_and_explains_itself_with_an_example() {

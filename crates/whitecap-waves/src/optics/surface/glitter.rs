@@ -6,6 +6,9 @@ use crate::optics::fresnel_exact;
 use glam::DVec3;
 use std::f64::consts::TAU;
 
+/// H_y of the steepest facet that is taken to be there: a slope of 3.2, 72°, nine deviations of the roughest sea.
+const STEEPEST: f64 = 0.3;
+
 /// The radiance that a rough sea sends to the eye of a sun of irradiance 1 on a plane that faces it, in 1/sr.
 ///
 /// With p the density of slopes, F p(ζ)/(4 H_y⁴ E[max(v, 0)]) times the share of the light that waves let pass
@@ -14,7 +17,8 @@ use std::f64::consts::TAU;
 /// The sun's disc has the variance r²/4 to each side, r = `sun_radius_rad`. Turning the light by δ turns H by δ/2
 /// in the plane of V and L and by δ/(2 cos i) across it, i the angle of incidence. As slopes that is the covariance
 /// r²/(16 H_y²) (1 + ζζᵀ + kkᵀ/(4 cos⁴ i)), k = qₕ + ζ q_y, q = V × L, which is added to the sea's own: even a
-/// mirror shows a disc, as a Gaussian of the disc's variance, twice as bright in its middle.
+/// mirror shows a disc, as a Gaussian of the disc's variance, twice as bright in its middle. To first order in r: the steeper
+/// the facet, the more its slope changes over the disc, and none is taken to be steeper than 72°.
 pub fn sun_glitter(
     slopes: &Slopes,
     facets: &VisibleFacets,
@@ -31,6 +35,9 @@ pub fn sun_glitter(
         return 0.0;
     }
     let half = half.normalize();
+    if half.y < STEEPEST {
+        return 0.0;
+    }
     let cos = toward_eye.dot(half).clamp(0.03, 1.0);
     let slope = -level(half) / half.y;
     let cross = toward_eye.cross(toward_sun);

@@ -254,6 +254,30 @@ fn a_mirror_shows_a_disc() {
     }
 }
 
+/// However low the sun and the eye: beside the sun's path there is no glitter, although the half-way vector is level there and
+/// its slope changes without bound over the disc.
+#[test]
+fn a_sun_at_the_horizon_does_not_light_all_of_it() {
+    let at = |elevation_deg: f64, azimuth_deg: f64| {
+        let (height, along) = elevation_deg.to_radians().sin_cos();
+        let (z, x) = azimuth_deg.to_radians().sin_cos();
+        DVec3::new(along * x, height, along * z)
+    };
+    for slopes in [isotropic(0.0), isotropic(0.03), isotropic(0.1), isotropic(0.15)] {
+        for eye_deg in [0.003, 0.03, 0.1, 0.5, 2.0] {
+            for sun_deg in [0.01, 0.05, 0.1, 0.3, 0.5, 1.0, 2.0] {
+                for aside_deg in [20.0, 30.0, 45.0, 60.0, 90.0, 150.0, 179.0] {
+                    let eye = at(eye_deg, 0.0);
+                    let facets = whole_sea(&slopes, eye, N);
+                    let light =
+                        sun_glitter(&slopes, &facets, eye, at(sun_deg, 180.0 - aside_deg), 0.00465, N);
+                    assert!(light < 1e-6, "{slopes:?} {eye_deg} {sun_deg} {aside_deg}: {light}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn the_sun_does_not_shine_through_waves() {
     let slopes = isotropic(0.1);
