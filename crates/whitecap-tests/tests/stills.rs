@@ -92,7 +92,7 @@ fn brightness_does_not_depend_on_the_number_of_samples() {
     let Some(gpu) = gpu() else { return };
     // Towards the sun, where glitter is, and down at the water.
     for scene in [ocean(), sea_alone(), whitecap_scene::open("meshuggah").unwrap()] {
-        let size = [128, 72];
+        let size = [256, 144];
         let horizon = (0.5
             * f64::from(size[1])
             * (1.0 + pitch(&scene).tan() / (0.5 * scene.camera.vertical_fov_deg).to_radians().tan()))

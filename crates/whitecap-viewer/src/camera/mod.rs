@@ -14,8 +14,11 @@ const UPRIGHT_RAD: f64 = 0.01;
 const SPEED_PER_HEIGHT: f64 = 1.0;
 const LEAST_SPEED_MPS: f64 = 4.0;
 
-/// Where the eye may be: what scene files accept, metres.
-const FAR_M: f64 = 1e7;
+/// The furthest that what is looked at is taken to be.
+const FURTHEST_M: f64 = 1e5;
+
+/// Where the eye may be: what scene files accept, metres, less the way to what it looks at.
+const FAR_M: f64 = 1e7 - FURTHEST_M;
 const HIGHEST_M: f64 = 1e5;
 const LOWEST_M: f64 = -100.0;
 
@@ -52,7 +55,7 @@ impl Rig {
             eye_m,
             azimuth_rad: ahead.x.atan2(-ahead.z),
             elevation_rad: (ahead.y / distance_m).clamp(-1.0, 1.0).asin().clamp(-limit, limit),
-            distance_m,
+            distance_m: distance_m.min(FURTHEST_M),
             vertical_fov_deg: camera.vertical_fov_deg,
             mode: Mode::Fly,
         }
@@ -126,7 +129,7 @@ impl Rig {
             Mode::Fly => self.vertical_fov_deg = (self.vertical_fov_deg * by.exp()).clamp(1.0, 120.0),
             Mode::Orbit => {
                 let middle_m = self.eye_m + self.distance_m * self.ahead();
-                self.distance_m = (self.distance_m * by.exp()).clamp(1.0, 1e5);
+                self.distance_m = (self.distance_m * by.exp()).clamp(1.0, FURTHEST_M);
                 self.go_to(middle_m - self.distance_m * self.ahead());
             }
         }
