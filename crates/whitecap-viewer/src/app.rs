@@ -292,17 +292,7 @@ impl App {
             }
             self.news = Some(command);
         }
-        let asked = [
-            (wishes.save, Action::Save),
-            (wishes.undo, Action::Undo),
-            (wishes.screenshot, Action::Screenshot),
-            (wishes.pause, Action::Pause),
-            (wishes.step, Action::Step),
-            (wishes.reset_time, Action::ResetTime),
-            (wishes.camera_mode, Action::CameraMode),
-            (wishes.reset_camera, Action::ResetCamera),
-        ];
-        for (_, action) in asked.into_iter().filter(|(is_asked, _)| *is_asked) {
+        for action in wishes.actions {
             self.act(action);
         }
     }

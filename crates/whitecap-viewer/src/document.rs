@@ -5,6 +5,7 @@
 //! saved and rendered.
 
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 use toml::{Table, Value};
 use whitecap_scene::reference::{Accepts, KeyDoc, WhenAbsent, reference};
 use whitecap_scene::{Camera, Scene, SceneError};
@@ -51,6 +52,8 @@ pub struct Document {
     path: Option<PathBuf>,
     scene: Scene,
     table: Table,
+    /// The keys that such a scene may have: each frame shows them, and only changes of it change them.
+    keys: Rc<[(KeyPath, KeyDoc)]>,
     opened: Table,
     undone: Vec<Table>,
     /// The last change that was refused, and why.
@@ -70,6 +73,7 @@ impl Document {
         Ok(Document {
             origin: name_or_path.to_owned(),
             path: (!is_named).then(|| PathBuf::from(name_or_path)),
+            keys: keys_of(&scene, &table),
             scene,
             opened: table.clone(),
             table,
@@ -110,43 +114,8 @@ impl Document {
     }
 
     /// Every key that this scene's file may have, with its place, table by table.
-    pub fn keys(&self) -> Vec<(KeyPath, KeyDoc)> {
-        reference()
-            .flat_map(|doc| self.places_of(&doc).into_iter().map(move |path| (path, doc.clone())))
-            .collect()
-    }
-
-    fn places_of(&self, doc: &KeyDoc) -> Vec<KeyPath> {
-        let techniques: Vec<&str> = whitecap_scene::technique::ALL.iter().map(|one| one.word).collect();
-        let other_technique =
-            techniques.contains(&doc.table.as_str()) && doc.table != self.scene.technique.word();
-        let no_light = doc.table == "picture" && !self.scene.technique.is_scene_linear();
-        if other_technique || no_light || matches!(doc.accepts, Accepts::Tables { .. }) {
-            return Vec::new();
-        }
-        let of_kind = |tables: &[Step]| {
-            let Some((tag, word)) = doc.only_with else { return true };
-            let table = inside(&self.table, tables);
-            let found = table.and_then(|table| table.get(tag));
-            found.is_some_and(|value| value.as_str() == Some(word) || word == "FILE")
-        };
-        let path = |tables: Vec<Step>| KeyPath { tables, key: doc.key.to_owned() };
-        let Some(repeated) = doc.table.strip_suffix("[]") else {
-            let tables: Vec<Step> = doc
-                .table
-                .split('.')
-                .filter(|name| !name.is_empty())
-                .map(|name| Step::Table(name.into()))
-                .collect();
-            return if of_kind(&tables) { vec![path(tables)] } else { Vec::new() };
-        };
-        let mut outer: Vec<Step> = repeated.split('.').map(|name| Step::Table(name.into())).collect();
-        let Some(Step::Table(name)) = outer.pop() else { return Vec::new() };
-        let count = inside(&self.table, &outer)
-            .and_then(|table| table.get(&name)?.as_array().map(Vec::len))
-            .unwrap_or(0);
-        let nth = |i: usize| outer.iter().cloned().chain([Step::Nth(name.clone(), i)]).collect::<Vec<_>>();
-        (0..count).map(nth).filter(|tables| of_kind(tables)).map(path).collect()
+    pub fn keys(&self) -> Rc<[(KeyPath, KeyDoc)]> {
+        Rc::clone(&self.keys)
     }
 
     /// Gives a key a value, or with `None` leaves it out. The answer is whether the scene has changed.
@@ -188,6 +157,7 @@ impl Document {
     pub fn undo(&mut self) -> bool {
         let Some(before) = self.undone.pop() else { return false };
         let Ok(scene) = self.read(&before) else { return false };
+        self.keys = keys_of(&scene, &before);
         (self.scene, self.table, self.refused) = (scene, before, None);
         true
     }
@@ -199,6 +169,7 @@ impl Document {
         if self.undone.len() == MOST_UNDONE {
             self.undone.remove(0);
         }
+        self.keys = keys_of(&scene, &whole);
         self.undone.push(std::mem::replace(&mut self.table, whole));
         (self.scene, self.refused) = (scene, None);
         Ok(())
@@ -226,6 +197,44 @@ impl Document {
     pub fn text(&self, camera: Camera) -> Result<String, SceneError> {
         Scene { camera, ..self.scene.clone() }.to_toml()
     }
+}
+
+/// As [`Document::keys`].
+fn keys_of(scene: &Scene, table: &Table) -> Rc<[(KeyPath, KeyDoc)]> {
+    reference()
+        .flat_map(|doc| places_of(&doc, scene, table).into_iter().map(move |path| (path, doc.clone())))
+        .collect()
+}
+
+/// Where a scene's file may have a key: nowhere, or in each of the tables that are repeated.
+fn places_of(doc: &KeyDoc, scene: &Scene, table: &Table) -> Vec<KeyPath> {
+    let techniques: Vec<&str> = whitecap_scene::technique::ALL.iter().map(|one| one.word).collect();
+    let other_technique = techniques.contains(&doc.table.as_str()) && doc.table != scene.technique.word();
+    let no_light = doc.table == "picture" && !scene.technique.is_scene_linear();
+    if other_technique || no_light || matches!(doc.accepts, Accepts::Tables { .. }) {
+        return Vec::new();
+    }
+    let of_kind = |tables: &[Step]| {
+        let Some((tag, word)) = doc.only_with else { return true };
+        let found = inside(table, tables).and_then(|table| table.get(tag));
+        found.is_some_and(|value| value.as_str() == Some(word) || word == "FILE")
+    };
+    let path = |tables: Vec<Step>| KeyPath { tables, key: doc.key.to_owned() };
+    let Some(repeated) = doc.table.strip_suffix("[]") else {
+        let tables: Vec<Step> = doc
+            .table
+            .split('.')
+            .filter(|name| !name.is_empty())
+            .map(|name| Step::Table(name.into()))
+            .collect();
+        return if of_kind(&tables) { vec![path(tables)] } else { Vec::new() };
+    };
+    let mut outer: Vec<Step> = repeated.split('.').map(|name| Step::Table(name.into())).collect();
+    let Some(Step::Table(name)) = outer.pop() else { return Vec::new() };
+    let count =
+        inside(table, &outer).and_then(|table| table.get(&name)?.as_array().map(Vec::len)).unwrap_or(0);
+    let nth = |i: usize| outer.iter().cloned().chain([Step::Nth(name.clone(), i)]).collect::<Vec<_>>();
+    (0..count).map(nth).filter(|tables| of_kind(tables)).map(path).collect()
 }
 
 /// Every key of a scene. Scenes write themselves as tables.
@@ -337,9 +346,9 @@ mod tests {
             let mut document = Document::open(named.name).unwrap();
             let keys = document.keys();
             assert!(keys.len() > 8, "{}", named.name);
-            for (path, _) in keys {
-                if let Some(value) = document.value(&path).cloned() {
-                    assert!(!document.set(&path, Some(value)), "{}: {path} is what it was", named.name);
+            for (path, _) in keys.iter() {
+                if let Some(value) = document.value(path).cloned() {
+                    assert!(!document.set(path, Some(value)), "{}: {path} is what it was", named.name);
                 }
             }
         }

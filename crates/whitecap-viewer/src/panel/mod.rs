@@ -2,7 +2,7 @@
 
 mod widget;
 
-use crate::actions;
+use crate::actions::{self, Action};
 use crate::camera::{Mode, Rig};
 use crate::clock::Clock;
 use crate::document::{Document, KeyPath, Step};
@@ -17,15 +17,10 @@ pub(crate) struct Wishes {
     pub(crate) changed: bool,
     /// Another scene.
     pub(crate) open: Option<String>,
-    pub(crate) save: bool,
+    /// The command of this view, on the clipboard.
     pub(crate) copy_command: bool,
-    pub(crate) screenshot: bool,
-    pub(crate) undo: bool,
-    pub(crate) pause: bool,
-    pub(crate) step: bool,
-    pub(crate) reset_time: bool,
-    pub(crate) camera_mode: bool,
-    pub(crate) reset_camera: bool,
+    /// What keys do as well.
+    pub(crate) actions: Vec<Action>,
 }
 
 /// What the panel tells.
@@ -71,6 +66,13 @@ pub(crate) fn show(
     wishes
 }
 
+/// A button that does what a key does.
+fn button(ui: &mut Ui, wishes: &mut Wishes, label: &str, hint: &str, action: Action) {
+    if ui.button(label).on_hover_text(hint).clicked() {
+        wishes.actions.push(action);
+    }
+}
+
 fn head(ui: &mut Ui, document: &Document, wishes: &mut Wishes) {
     ui.horizontal(|ui| {
         let scenes = egui::ComboBox::from_id_salt("scene").selected_text(document.origin()).width(200.0);
@@ -85,10 +87,9 @@ fn head(ui: &mut Ui, document: &Document, wishes: &mut Wishes) {
         scenes.response.on_hover_text("The named scenes; a file of your own: drop it on the window");
     });
     ui.horizontal_wrapped(|ui| {
-        wishes.save |=
-            ui.button("Save").on_hover_text("As a new TOML file, with this camera (Ctrl+S)").clicked();
-        wishes.undo |= ui.button("Undo").on_hover_text("Take the last change back (Ctrl+Z)").clicked();
-        wishes.screenshot |= ui.button("Picture").on_hover_text("A PNG of this view (F12)").clicked();
+        button(ui, wishes, "Save", "As a new TOML file, with this camera (Ctrl+S)", Action::Save);
+        button(ui, wishes, "Undo", "Take the last change back (Ctrl+Z)", Action::Undo);
+        button(ui, wishes, "Picture", "A PNG of this view (F12)", Action::Screenshot);
         wishes.copy_command |= ui
             .button("Copy command")
             .on_hover_text("The `whitecap render` that makes this picture")
@@ -99,9 +100,9 @@ fn head(ui: &mut Ui, document: &Document, wishes: &mut Wishes) {
 fn time_and_camera(ui: &mut Ui, rig: &Rig, clock: &Clock, wishes: &mut Wishes) {
     ui.horizontal_wrapped(|ui| {
         let (word, hint) = if clock.is_paused() { ("Go on", "Space") } else { ("Pause", "Space") };
-        wishes.pause |= ui.button(word).on_hover_text(hint).clicked();
-        wishes.step |= ui.button("Step").on_hover_text("One frame of 1/60 s (.)").clicked();
-        wishes.reset_time |= ui.button("Reset").on_hover_text("Time begins again (T)").clicked();
+        button(ui, wishes, word, hint, Action::Pause);
+        button(ui, wishes, "Step", "One frame of 1/60 s (.)", Action::Step);
+        button(ui, wishes, "Reset", "Time begins again (T)", Action::ResetTime);
         ui.label(format!("{:.2} s, × {}", clock.time_s(), clock.speed()));
     });
     ui.horizontal_wrapped(|ui| {
@@ -109,8 +110,8 @@ fn time_and_camera(ui: &mut Ui, rig: &Rig, clock: &Clock, wishes: &mut Wishes) {
             Mode::Fly => "Fly",
             Mode::Orbit => "Orbit",
         };
-        wishes.camera_mode |= ui.button(word).on_hover_text("Fly freely, or orbit (O)").clicked();
-        wishes.reset_camera |= ui.button("Scene's camera").on_hover_text("R").clicked();
+        button(ui, wishes, word, "Fly freely, or orbit (O)", Action::CameraMode);
+        button(ui, wishes, "Scene's camera", "R", Action::ResetCamera);
         let [x, y, z] = rig.camera().position_m;
         ui.label(format!("{x:.1}, {y:.1}, {z:.1} m"));
     });
