@@ -28,7 +28,7 @@ use std::io::Read;
 use std::path::Path;
 
 pub use error::{MeasuredError, MeasuredProblem};
-pub use sea::{Contradicting, Directions, Energy, Format, MeasuredSea, Place};
+pub use sea::{Directions, Energy, Format, MeasuredSea, Part, Place};
 pub use select::{Selection, When, passed_over, select};
 pub use time::Time;
 

@@ -112,14 +112,14 @@ pub enum Energy {
     },
 }
 
-/// How much of a record has directions that contradict each other.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contradicting {
-    /// How many frequencies have moments that no distribution has.
+/// Some of a record's frequencies.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Part {
+    /// How many.
     pub frequencies: usize,
-    /// How many frequencies have energy and moments.
-    pub of: usize,
-    /// The share of the record's variance, 0 to 1, that the first have.
+    /// How many of the whole record have energy and moments of directions.
+    pub directed: usize,
+    /// Their share of the record's variance, 0 to 1.
     pub share: f64,
 }
 
@@ -154,33 +154,32 @@ impl MeasuredSea {
     }
 
     /// Where the record's moments of directions are such as no distribution has, by more than the digits of a file leave open.
-    pub fn contradicting_directions(&self) -> Contradicting {
-        let mut found = Contradicting { frequencies: 0, of: 0, share: 0.0 };
-        let Energy::Moments { density, moments } = &self.energy else { return found };
-        let mut variance_m2 = 0.0;
-        for ((s, moments), width) in density.iter().zip(moments).zip(self.widths_hz()) {
-            let Some(moments) = moments.filter(|_| *s > 0.0) else { continue };
-            found.of += 1;
-            if moments.contradiction() > ROUNDED {
-                found.frequencies += 1;
+    pub fn contradicting_directions(&self) -> Part {
+        self.part(|moments| moments.is_some_and(|moments| moments.contradiction() > ROUNDED))
+    }
+
+    /// Where there are no moments of directions although other frequencies have them: the files of directions lack them.
+    pub fn lacking_moments(&self) -> Part {
+        self.part(|moments| moments.is_none())
+    }
+
+    /// The frequencies with energy whose moments are such.
+    fn part(&self, is_such: impl Fn(Option<DirectionalMoments>) -> bool) -> Part {
+        let Energy::Moments { density, moments } = &self.energy else { return Part::default() };
+        let (mut part, mut variance_m2) = (Part::default(), 0.0);
+        for ((s, moments), width) in
+            density.iter().zip(moments).zip(self.widths_hz()).filter(|((s, _), _)| **s > 0.0)
+        {
+            part.directed += usize::from(moments.is_some());
+            if is_such(*moments) {
+                part.frequencies += 1;
                 variance_m2 += s * width;
             }
         }
         if variance_m2 > 0.0 {
-            found.share = variance_m2 / self.variance_m2();
+            part.share = variance_m2 / self.variance_m2();
         }
-        found
-    }
-
-    /// How many frequencies have energy but no moments of directions, where others have them, and their share of the record's
-    /// variance: the files of directions lack them.
-    pub fn undirected(&self) -> (usize, f64) {
-        let Energy::Moments { density, moments } = &self.energy else { return (0, 0.0) };
-        let lacking = density.iter().zip(moments).zip(self.widths_hz());
-        let lacking = lacking.filter(|((s, moments), _)| **s > 0.0 && moments.is_none());
-        let (count, variance_m2) =
-            lacking.fold((0, 0.0), |(count, sum), ((s, _), width)| (count + 1, sum + s * width));
-        (count, if count > 0 { variance_m2 / self.variance_m2() } else { 0.0 })
+        part
     }
 
     /// The variance in m² that waves above the last frequency have if they go on from there as f⁻⁵, as those of a wind

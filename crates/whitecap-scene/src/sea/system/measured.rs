@@ -13,13 +13,11 @@ use super::spreading::AnySpreading;
 use super::warnings;
 use crate::error::SceneError;
 use crate::key::{Count, File, Flag, Moment, Name, OneOf, Real, optional, or, required, table, words};
-use crate::measured::{
-    self, Contradicting, Directions, Energy, MeasuredProblem, MeasuredSea, Selection, Time, When,
-};
+use crate::measured::{self, Directions, Energy, MeasuredProblem, MeasuredSea, Part, Selection, Time, When};
 use crate::reader::TableReader;
 
-/// A greater share of the energy than this with directions that contradict each other is worth a warning.
-const CONTRADICTING: f64 = 0.01;
+/// A greater share of the energy than this with directions that contradict each other, or with none, is worth a warning.
+const MISDIRECTED: f64 = 0.01;
 
 words! {
     /// How directions are made from the moments that a buoy measures.
@@ -129,9 +127,8 @@ impl MeasuredSystem {
     }
 
     /// Where the newest record is passed over because it lacks waves or directions, where no waves have directions such as the
-    /// record's, where the energy between the file's
-    /// frequencies is not what the file's own sum says, as with few of them, where its frequencies end among its waves,
-    /// and where the water cannot carry them.
+    /// record's or it has none, where the energy between the file's frequencies is not what the file's own sum says, as with
+    /// few of them, where its frequencies end among its waves, and where the water cannot carry them.
     pub(super) fn warnings(&self, spectrum: &dyn WaveSpectrum, water: &Dispersion) -> Vec<String> {
         let table = "sea.system";
         let Ok(seas) = self.records(table) else { return Vec::new() };
@@ -174,8 +171,8 @@ impl MeasuredSystem {
     }
 
     fn contradicting(&self, chosen: &MeasuredSea) -> Option<String> {
-        let Contradicting { frequencies, of, share } = chosen.contradicting_directions();
-        (share > CONTRADICTING).then(|| {
+        let Part { frequencies, directed: of, share } = chosen.contradicting_directions();
+        (share > MISDIRECTED).then(|| {
             format!(
                 "{}: {frequencies} of {of} frequencies, with {:.1} % of the energy, have directional moments r1, r2, alpha1 and \
                  alpha2 that no distribution of directions has; there r2 and alpha2 are drawn as the nearest that one has",
@@ -186,8 +183,8 @@ impl MeasuredSystem {
     }
 
     fn undirected(&self, chosen: &MeasuredSea) -> Option<String> {
-        let (frequencies, share) = chosen.undirected();
-        (share > CONTRADICTING).then(|| {
+        let Part { frequencies, share, .. } = chosen.lacking_moments();
+        (share > MISDIRECTED).then(|| {
             format!(
                 "{}: {frequencies} frequencies, with {:.1} % of the energy, have no directions in the four files of them; theirs are \
                  those of their neighbours",
