@@ -1,6 +1,6 @@
 //! `whitecap bench`: what a frame costs, pass by pass.
 
-use super::options::{Size, WantedBackend, backend_parser, parse_size};
+use super::options::{Size, WantedAdapter, WantedBackend, backend_parser, parse_size};
 use crate::failure::Failure;
 use crate::stages::Stages;
 use crate::stdout;
@@ -41,9 +41,8 @@ pub(crate) struct Bench {
     #[arg(long, value_name = "N", allow_negative_numbers = true, default_value = "9", value_parser = clap::value_parser!(u16).range(1..=1000))]
     runs: u16,
 
-    /// Part of the name, backend or driver of the adapter to draw with [default: the fastest kind]
-    #[arg(long, value_name = "NAME", value_hint = ValueHint::Other)]
-    adapter: Option<String>,
+    #[command(flatten)]
+    adapter: WantedAdapter,
 
     /// Who works out a sea of spectra: the processor, or compute passes of the adapter
     #[arg(long, value_name = "WHO", default_value = "auto", value_parser = backend_parser())]
@@ -65,7 +64,7 @@ impl Bench {
         let scenes = opened.collect::<Result<Vec<(String, Scene)>, Failure>>()?;
         let mut stages = Stages::new(self.json);
         stages.begin("adapter");
-        let gpu = Gpu::open(self.adapter.as_deref())?;
+        let gpu = Gpu::open(self.adapter.name.as_deref())?;
         let mut frames = Vec::new();
         for (place, (name, scene)) in scenes.iter().enumerate() {
             let about = format!("{name} ({} of {})", place + 1, scenes.len());

@@ -12,6 +12,14 @@ pub(super) const MAX_FAR: f64 = 1e7;
 /// The largest seed that a scene file can say: TOML's integers have a sign.
 pub(super) const MAX_SEED: u64 = i64::MAX as u64;
 
+// Which adapter draws. No sentence for clap, which would take it for the verb's own.
+#[derive(Debug, clap::Args)]
+pub(super) struct WantedAdapter {
+    /// Part of the name, backend or driver of the adapter to draw with [default: the fastest kind]
+    #[arg(long = "adapter", value_name = "NAME", value_hint = clap::ValueHint::Other)]
+    pub(super) name: Option<String>,
+}
+
 /// A picture's size in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Size {

@@ -1,6 +1,8 @@
 //! `whitecap render`: one picture of one scene.
 
-use super::options::{MAX_SEED, Size, WantedBackend, backend_parser, parse_size, parse_time_s};
+use super::options::{
+    MAX_SEED, Size, WantedAdapter, WantedBackend, backend_parser, parse_size, parse_time_s,
+};
 use crate::failure::Failure;
 use crate::stages::{StageTime, Stages, milliseconds};
 use crate::whole_file::WholeFile;
@@ -68,9 +70,8 @@ pub(crate) struct Render {
     #[arg(long)]
     aux: bool,
 
-    /// Part of the name, backend or driver of the adapter to draw with [default: the fastest kind]
-    #[arg(long, value_name = "NAME", value_hint = ValueHint::Other)]
-    adapter: Option<String>,
+    #[command(flatten)]
+    adapter: WantedAdapter,
 
     /// Who works out a sea of spectra: the processor, or compute passes of the adapter
     #[arg(long, value_name = "WHO", default_value = "auto", value_parser = backend_parser())]
@@ -93,7 +94,7 @@ impl Render {
         let aux_file = aux_path.as_deref().map(WholeFile::plan).transpose()?;
 
         stages.begin("adapter");
-        let gpu = Gpu::open(self.adapter.as_deref())?;
+        let gpu = Gpu::open(self.adapter.name.as_deref())?;
 
         let request = PictureRequest {
             backend: self.backend.0,

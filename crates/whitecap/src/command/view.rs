@@ -1,6 +1,6 @@
 //! `whitecap view`: a scene in a window.
 
-use super::options::{Size, parse_size, parse_time_s};
+use super::options::{Size, WantedAdapter, parse_size, parse_time_s};
 use crate::failure::Failure;
 use crate::png;
 use crate::whole_file::WholeFile;
@@ -41,16 +41,15 @@ pub(crate) struct View {
     #[arg(long)]
     paused: bool,
 
-    /// Part of the name, backend or driver of the adapter to draw with [default: the fastest kind]
-    #[arg(long, value_name = "NAME", value_hint = ValueHint::Other)]
-    adapter: Option<String>,
+    #[command(flatten)]
+    adapter: WantedAdapter,
 }
 
 impl View {
     pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
         view(ViewOptions {
             scene: self.scene.clone(),
-            adapter: self.adapter.clone(),
+            adapter: self.adapter.name.clone(),
             size_px: [self.size.width, self.size.height],
             time_s: self.time,
             is_paused: self.paused,

@@ -4,7 +4,7 @@ mod contact_sheet;
 mod page;
 
 use super::bench::timed;
-use super::options::{Size, parse_size, parse_time_s};
+use super::options::{Size, WantedAdapter, parse_size, parse_time_s};
 use crate::failure::Failure;
 use crate::stages::{Stages, milliseconds};
 use crate::whole_folder::WholeFolder;
@@ -65,9 +65,8 @@ pub(crate) struct Gallery {
         value_parser = parse_size)]
     timing_size: Size,
 
-    /// Part of the name, backend or driver of the adapter to draw with [default: the fastest kind]
-    #[arg(long, value_name = "NAME", value_hint = ValueHint::Other)]
-    adapter: Option<String>,
+    #[command(flatten)]
+    adapter: WantedAdapter,
 
     /// Print the result as JSON: page, contact_sheet, size, time, adapter, timing, total, peak memory, and of
     /// each scene its picture, passes and differences
@@ -104,7 +103,7 @@ impl Gallery {
             folder.check(&name)?;
         }
         stages.begin("adapter");
-        let gpu = Gpu::open(self.adapter.as_deref())?;
+        let gpu = Gpu::open(self.adapter.name.as_deref())?;
 
         let count = self.shown().count();
         let mut exhibits = Vec::new();
