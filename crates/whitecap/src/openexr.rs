@@ -1,4 +1,4 @@
-//! Light, and what pictures show beside it, as OpenEXR: compressed without loss (ZIP).
+//! Light, and what pictures show beside it, as OpenEXR: compressed without loss (ZIP). Baked maps, as they are.
 //!
 //! Equal pictures give equal bytes. The `exr` crate writes attributes of its own order only where it knows their names;
 //! of others a header takes one from the layer and one from the image.
@@ -46,7 +46,7 @@ pub(crate) fn encode(picture: &LightPicture, about: &str) -> io::Result<Vec<u8>>
     layer.white_luminance = (picture.unit == LightUnit::KilocandelaPerSquareMetre).then_some(1000.0);
     layer.other.insert(Text::from(EXPOSURE), AttributeValue::F32(picture.exposure));
     image.other.insert(Text::from(UNIT), AttributeValue::Text(Text::from(unit)));
-    write(size, layer, image, channels)
+    write(size, layer, image, channels, Compression::ZIP16)
 }
 
 /// The attribute that says what positions are relative to, in the world, metres.
@@ -98,8 +98,46 @@ pub(crate) fn encode_aux(picture: &AuxPicture, about: &str) -> io::Result<Vec<u8
     layer.world_to_normalized_device = Some((from_corner * picture.clip_from_position).to_cols_array());
     let [x, y, z] = picture.origin_m.as_vec3().to_array();
     layer.other.insert(Text::from(ORIGIN), AttributeValue::FloatVec3((x, y, z)));
-    write(size, layer, ImageAttributes::new(IntegerBounds::from_dimensions(size)), channels)
+    write(
+        size,
+        layer,
+        ImageAttributes::new(IntegerBounds::from_dimensions(size)),
+        channels,
+        Compression::ZIP16,
+    )
 }
+
+/// Encodes a map of numbers into memory: planes by channel, as 32-bit or as 16-bit floats. `about` says in words where it comes
+/// from, `facts` the same for programs, in the attribute [`FACTS`].
+pub(crate) fn encode_map(
+    size: [usize; 2],
+    planes: &[(&str, &[f32])],
+    halves: bool,
+    about: &str,
+    facts: &str,
+) -> io::Result<Vec<u8>> {
+    let channels = planes.iter().map(|(name, plane)| {
+        let samples = match halves {
+            true => FlatSamples::F16(plane.iter().map(|value| f16::from_f32(*value)).collect()),
+            false => FlatSamples::F32(plane.to_vec()),
+        };
+        // Lengths and slopes, not light: no eye judges them.
+        AnyChannel { quantize_linearly: true, ..AnyChannel::new(*name, samples) }
+    });
+    let (channels, mut layer) = (channels.collect(), layer_attributes(about));
+    layer.other.insert(Text::from(FACTS), AttributeValue::Text(Text::from(facts)));
+    let size = Vec2(size[0], size[1]);
+    write(
+        size,
+        layer,
+        ImageAttributes::new(IntegerBounds::from_dimensions(size)),
+        channels,
+        Compression::Uncompressed,
+    )
+}
+
+/// The attribute of a map that says in JSON what its numbers are.
+pub(crate) const FACTS: &str = "whitecap";
 
 fn layer_attributes(about: &str) -> LayerAttributes {
     LayerAttributes {
@@ -114,12 +152,9 @@ fn write(
     layer: LayerAttributes,
     image: ImageAttributes,
     channels: Vec<AnyChannel<FlatSamples>>,
+    compression: Compression,
 ) -> io::Result<Vec<u8>> {
-    let encoding = Encoding {
-        compression: Compression::ZIP16,
-        blocks: Blocks::ScanLines,
-        line_order: LineOrder::Increasing,
-    };
+    let encoding = Encoding { compression, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
     let channels = AnyChannels::sort(channels.into_iter().collect());
     let layer = Layer::new(size, layer, encoding, channels);
     let mut bytes = Cursor::new(Vec::new());

@@ -105,6 +105,39 @@ impl Snapshot {
         Ok(places_m.iter().map(|place| self.over(*place)).collect())
     }
 
+    /// The water that rests at each place, in their order: what a map of displacement holds.
+    ///
+    /// # Errors
+    ///
+    /// If a place is not finite.
+    pub fn at_rest(&self, rests_m: &[DVec2]) -> Result<Vec<SurfacePoint>, QueryError> {
+        check(rests_m, 0.0)?;
+        let at_rest = |rest_m: &DVec2| {
+            let mut sums = self.shape(*rest_m);
+            sums.velocity = self.tiles.iter().map(|tile| tile.velocity(*rest_m)).sum();
+            sums.surface(self.current_mps)
+        };
+        #[cfg(feature = "parallel")]
+        {
+            use rayon::prelude::*;
+            Ok(rests_m.par_iter().with_min_len(256).map(at_rest).collect())
+        }
+        #[cfg(not(feature = "parallel"))]
+        Ok(rests_m.iter().map(at_rest).collect())
+    }
+
+    /// How the water moves that rests at each place of a tile alone, m/s, without the current. Of a tile that is not there nothing.
+    pub fn velocities_of_tile(&self, tile: usize, rests_m: &[DVec2]) -> Vec<DVec3> {
+        let Some(tile) = self.tiles.get(tile) else { return Vec::new() };
+        #[cfg(feature = "parallel")]
+        {
+            use rayon::prelude::*;
+            rests_m.par_iter().with_min_len(256).map(|rest_m| tile.velocity(*rest_m)).collect()
+        }
+        #[cfg(not(feature = "parallel"))]
+        rests_m.iter().map(|rest_m| tile.velocity(*rest_m)).collect()
+    }
+
     /// The water over one place, upright.
     fn over(&self, place_m: DVec2) -> SurfacePoint {
         let (rest_m, mut sums) = inverse::rest_under(place_m, |rest_m| self.shape(rest_m));

@@ -1,15 +1,18 @@
 //! The verbs: one file each, and one line each in [`Verb`].
 
 mod adapters;
+mod bake;
 mod bench;
 mod check;
 mod completions;
+mod frames;
 mod gallery;
 mod man;
 mod options;
 mod probe;
 mod render;
 mod scenes;
+mod series;
 mod spectrum;
 mod view;
 
@@ -43,6 +46,7 @@ pub(crate) enum Verb {
     Render(render::Render),
     View(view::View),
     Gallery(gallery::Gallery),
+    Bake(bake::Bake),
     Probe(probe::Probe),
     Spectrum(spectrum::Spectrum),
     Bench(bench::Bench),
@@ -60,6 +64,7 @@ impl Verb {
             Verb::Render(render) => render.run(started),
             Verb::View(view) => view.run(),
             Verb::Gallery(gallery) => gallery.run(started),
+            Verb::Bake(bake) => bake.run(started),
             Verb::Probe(probe) => probe.run(),
             Verb::Spectrum(spectrum) => spectrum.run(),
             Verb::Bench(bench) => bench.run(),
@@ -76,6 +81,7 @@ impl Verb {
         match self {
             Verb::Render(render) => render.json,
             Verb::Gallery(gallery) => gallery.json,
+            Verb::Bake(bake) => bake.json,
             Verb::Probe(probe) => probe.json,
             Verb::Spectrum(spectrum) => spectrum.json,
             Verb::Bench(bench) => bench.json,

@@ -1,6 +1,7 @@
 //! The `whitecap` command from outside: what goes in, what comes out, and with which exit code.
 #![allow(clippy::unwrap_used)] // a test that cannot go on should stop
 
+mod bake;
 mod bench;
 mod docs;
 mod gallery;

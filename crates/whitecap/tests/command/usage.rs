@@ -2,10 +2,11 @@
 
 use crate::{json, names_in, sentence, stderr, stdout, whitecap};
 
-const VERBS: [&str; 11] = [
+const VERBS: [&str; 12] = [
     "render",
     "view",
     "gallery",
+    "bake",
     "probe",
     "spectrum",
     "bench",

@@ -4,9 +4,9 @@ mod answers;
 mod places;
 mod points;
 mod rows;
-mod series;
 
 use super::options::{MAX_SEED, Place, parse_place_m, parse_time_s, parse_uv};
+use super::series::{Grid, Series, parse_grid, parse_times};
 use crate::failure::Failure;
 use crate::stdout;
 use crate::whole_file::{WholeFile, cannot_write};
@@ -16,7 +16,6 @@ use clap::ValueHint;
 use places::Places;
 use points::Points;
 use rows::{Format, Rows};
-use series::{Grid, Series, parse_grid, parse_times};
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;

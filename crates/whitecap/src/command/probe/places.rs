@@ -1,8 +1,8 @@
 //! Where the surface is asked for, a chunk at a time.
 
 use super::super::options::Place;
+use super::super::series::Grid;
 use super::points::Points;
-use super::series::Grid;
 use crate::failure::Failure;
 
 /// The most places in a chunk.

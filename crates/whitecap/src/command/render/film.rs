@@ -1,6 +1,6 @@
 //! Films, which the user's own ffmpeg makes of frames.
 
-use super::frames::{Frames, Pattern, Rate};
+use super::super::frames::{Frames, Pattern, Rate};
 use super::has_extension;
 use crate::failure::Failure;
 use crate::part::Part;

@@ -1,9 +1,9 @@
 //! `whitecap render`: one picture of one scene, or a sequence of them.
 
 mod film;
-mod frames;
 mod sequence;
 
+use super::frames::{Chunk, Frames, Pattern, Rate, parse_chunk, parse_frames, parse_rate};
 use super::options::{
     MAX_SEED, Size, WantedAdapter, WantedBackend, backend_parser, parse_size, parse_time_s,
 };
@@ -14,7 +14,6 @@ use crate::{memory, openexr, png, stdout};
 use anyhow::{Context, anyhow};
 use clap::ValueHint;
 use clap::builder::{PathBufValueParser, TypedValueParser};
-use frames::{Chunk, Frames, Pattern, Rate, parse_chunk, parse_frames, parse_rate};
 use std::fmt::Write;
 use std::io;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! Frames in a row: drawn one after the other, while the one before is encoded and written.
 
+use super::super::frames::{Frames, Pattern, check_times};
 use super::film::{Container, Film};
-use super::frames::{Frames, Pattern, check_times};
 use super::{Drawn, Render, default_output, encoded_aux, is_exr};
 use crate::failure::Failure;
 use crate::stages::milliseconds;

@@ -55,6 +55,7 @@ mod calibration;
 mod convergence;
 mod levels;
 mod memory;
+mod place;
 mod wind;
 
 pub use levels::FoamLevel;

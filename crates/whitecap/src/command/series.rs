@@ -1,6 +1,6 @@
 //! Evenly spaced numbers, `A..B/N`: moments, and the two sides of a grid.
 
-use super::super::options::{MAX_FAR, MAX_TIME_S, Place, within};
+use super::options::{MAX_FAR, MAX_TIME_S, Place, within};
 
 /// `count` numbers from `from` to `to`, both included; `from` alone where there is one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,8 +38,8 @@ impl Series {
 /// Places on a rectangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Grid {
-    x_m: Series,
-    z_m: Series,
+    pub(super) x_m: Series,
+    pub(super) z_m: Series,
 }
 
 impl Grid {

@@ -1,6 +1,6 @@
 //! Which frames of a sequence, when each is, and what its file is called.
 
-use super::super::options::MAX_TIME_S;
+use super::options::MAX_TIME_S;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
