@@ -19,6 +19,8 @@ pub(crate) struct Wishes {
     pub(crate) open: Option<String>,
     /// The command of this view, on the clipboard.
     pub(crate) copy_command: bool,
+    /// The address of this view, on the clipboard.
+    pub(crate) copy_link: bool,
     /// What keys do as well.
     pub(crate) actions: Vec<Action>,
 }
@@ -94,6 +96,10 @@ fn head(ui: &mut Ui, document: &Document, wishes: &mut Wishes) {
             .button("Copy command")
             .on_hover_text("The `whitecap render` that makes this picture")
             .clicked();
+        if cfg!(target_arch = "wasm32") {
+            let link = ui.button("Copy link").on_hover_text("The address of this view, changes included");
+            wishes.copy_link |= link.clicked();
+        }
     });
 }
 
@@ -177,7 +183,7 @@ fn row(ui: &mut Ui, document: &mut Document, path: &KeyPath, doc: &KeyDoc) -> bo
                 "{}\n\naccepted: {}\nleft out: {}",
                 doc.doc, doc.accepts, doc.when_absent
             ));
-            if is_new && ui.small_button("⟲").on_hover_text("As it was when the scene was opened").clicked()
+            if is_new && ui.small_button("↺").on_hover_text("As it was when the scene was opened").clicked()
             {
                 changed |= document.reset(path);
             }
