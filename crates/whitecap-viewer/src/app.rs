@@ -51,6 +51,8 @@ pub(crate) struct App {
     watched: Instant,
     last_frame: Instant,
     frames_ms: VecDeque<f32>,
+    /// Something has changed that is not drawn yet. Beside that, a frame comes where time or the camera moves.
+    is_stale: bool,
     pub(crate) failed: Option<ViewError>,
 }
 
@@ -91,6 +93,7 @@ impl App {
             watched: Instant::now(),
             last_frame: Instant::now(),
             frames_ms: VecDeque::with_capacity(FRAMES),
+            is_stale: true,
             failed: None,
         }
     }
@@ -189,6 +192,7 @@ impl App {
             return;
         }
         self.read = Some(now);
+        self.is_stale = true;
         match self.document.reload() {
             Ok(()) => {
                 self.rebuild();
@@ -280,6 +284,7 @@ impl App {
     }
 
     fn fulfil(&mut self, wishes: Wishes) {
+        self.is_stale |= wishes != Wishes::default();
         if wishes.changed {
             self.rebuild();
         }
@@ -333,6 +338,7 @@ impl App {
         let now = Instant::now();
         let seconds = now.duration_since(self.last_frame).as_secs_f64();
         self.last_frame = now;
+        self.is_stale = false;
         self.clock.pass(seconds);
         self.move_camera(seconds.min(0.25));
         if self.frames_ms.len() == FRAMES {
@@ -351,7 +357,10 @@ impl App {
         if shown.canvas.is_empty() {
             return wishes;
         }
-        let Some(texture) = shown.canvas.next() else { return wishes };
+        let Some(texture) = shown.canvas.next() else {
+            self.is_stale = true;
+            return wishes;
+        };
         let size_px = shown.canvas.size_px();
         let gpu = shown.canvas.gpu.clone();
         let target = texture.texture.create_view(&Default::default());
@@ -382,6 +391,8 @@ impl App {
                 panel::help(ui);
             }
         });
+        let panel = output.viewport_output.get(&egui::ViewportId::ROOT);
+        self.is_stale |= panel.is_some_and(|panel| panel.repaint_delay.is_zero());
         self.host.speak(&output.platform_output);
         shown.input.handle_platform_output(&shown.canvas.window, output.platform_output);
         let screen = egui_wgpu::ScreenDescriptor {
@@ -475,6 +486,7 @@ impl ApplicationHandler<Asked> for App {
     }
 
     fn user_event(&mut self, event_loop: &ActiveEventLoop, asked: Asked) {
+        self.is_stale = true;
         match asked {
             Asked::Opened(canvas) => match canvas.and_then(|canvas| self.show_on(canvas)) {
                 Ok(shown) => self.shown = Some(shown),
@@ -490,6 +502,7 @@ impl ApplicationHandler<Asked> for App {
     }
 
     fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
+        self.is_stale |= event != WindowEvent::RedrawRequested;
         let Some(shown) = &mut self.shown else { return };
         let is_taken = shown.input.on_window_event(&shown.canvas.window, &event).consumed;
         match event {
@@ -526,9 +539,12 @@ impl ApplicationHandler<Asked> for App {
 
     fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
         self.watch();
+        #[cfg(target_arch = "wasm32")]
+        self.report();
         let Some(shown) = &self.shown else { return };
-        if shown.canvas.is_empty() {
-            // Nothing to draw until the window has a size again.
+        let is_still = self.clock.is_paused() && self.held.is_empty() && !self.is_stale;
+        if is_still || shown.canvas.is_empty() {
+            // Nothing to draw until something changes, the scene's file perhaps, or the window has a size again.
             event_loop.set_control_flow(ControlFlow::WaitUntil(Instant::now() + WATCH));
             return;
         }

@@ -11,7 +11,7 @@ use whitecap_scene::named;
 use whitecap_scene::reference::KeyDoc;
 
 /// What somebody asked for on the panel.
-#[derive(Debug, Default)]
+#[derive(Debug, Default, PartialEq)]
 pub(crate) struct Wishes {
     /// The scene has other settings now.
     pub(crate) changed: bool,
@@ -48,7 +48,7 @@ pub(crate) fn show(
     told: &Told<'_>,
 ) -> Wishes {
     let mut wishes = Wishes::default();
-    egui::Panel::right("settings").exact_size(PANEL_WIDTH).show(ui, |ui| {
+    egui::Panel::right("settings").exact_size(PANEL_WIDTH).show_separator_line(false).show(ui, |ui| {
         head(ui, document, &mut wishes);
         ui.separator();
         time_and_camera(ui, rig, clock, &mut wishes);
