@@ -86,9 +86,9 @@ const STILL: TargetFormat = TargetFormat {
     sample_shading: true,
 };
 
-/// Pictures of one scene at one size and moment. What one of them has set up serves the next: the light around in any case,
-/// the sea and its pipelines where both are drawn into the same format, as all stills of several samples and
-/// auxiliary pictures are.
+/// Pictures of one scene at one size. What one of them has set up serves the next: the light around in any case, the sea and its
+/// pipelines where both are drawn into the same format, as all stills of several samples and auxiliary pictures are. So
+/// the frames of a sequence: [`Pictures::at`] goes on to another moment.
 pub struct Pictures<'a> {
     gpu: &'a Gpu,
     scene: &'a Scene,
@@ -102,6 +102,12 @@ impl<'a> Pictures<'a> {
     /// Nothing is set up before the first picture is asked for.
     pub fn new(gpu: &'a Gpu, scene: &'a Scene, request: &PictureRequest) -> Self {
         Pictures { gpu, scene, request: *request, expects_aux: false, environment: None, set_up: None }
+    }
+
+    /// Goes on to another moment, `time_s` in seconds. What is drawn then does not depend on what was drawn before.
+    pub fn at(&mut self, time_s: f64) -> &mut Self {
+        self.request.time_s = time_s;
+        self
     }
 
     /// The same, whose set-up for a still serves [`Pictures::aux`], too.

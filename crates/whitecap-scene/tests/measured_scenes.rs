@@ -227,6 +227,14 @@ fn seas_that_cannot_be_are_refused_or_warned_of() {
         ("50 500 400 200 50 .5", "", "steeper than a sea can be: 2"),
         ("1 10 8 4 1 .01", "depth_m = 4.0", "higher than the water can carry: "),
         ("1 10 8 4 1 .8", "", "buoy.txt ends at 0.4 Hz, among its waves: "),
+        // m0 = 1 0.02 + 8 0.02 + 4 0.04 + 1 0.13 + 0.01 0.2 m²; missing are (1 + 8)/2 0.02.
+        (
+            "1 999 8 4 1 .01",
+            "",
+            "values of 1 of its 6 frequencies, at 0.1 Hz, are missing and count as no energy: 2.75 m of significant height, \
+             3.00 m if",
+        ),
+        ("1 10 8 4 999 MM", "", "2 of its 6 frequencies, from 0.2 to 0.4 Hz, are missing"),
     ] {
         let said = opened(BANDS, densities, water);
         assert!(said.contains(expected) && said.contains("sea.system[0]"), "{said}");

@@ -16,6 +16,13 @@ pub(crate) fn write_json<T: serde::Serialize>(value: &T) -> Result<(), Failure> 
     write(text.as_bytes())
 }
 
+/// Writes `value` as one line of JSON, at once.
+pub(crate) fn write_json_line<T: serde::Serialize>(value: &T) -> Result<(), Failure> {
+    let mut text = serde_json::to_string(value).map_err(|e| Failure::Machine(e.into()))?;
+    text.push('\n');
+    write(text.as_bytes())
+}
+
 /// Writes what programs get in place of a result.
 pub(crate) fn error_as_json(sentence: &str) -> Result<(), Failure> {
     write_json(&serde_json::json!({ "error": sentence }))

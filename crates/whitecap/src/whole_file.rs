@@ -3,7 +3,6 @@
 use crate::failure::Failure;
 use crate::part::Part;
 use anyhow::anyhow;
-use std::ffi::OsString;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -81,13 +80,7 @@ impl WholeFile {
     /// A file in the same folder, since renaming is atomic only within one file system. It is removed when
     /// dropped.
     fn temporary(&self) -> io::Result<Part> {
-        let mut suffix = OsString::new();
-        if let Some(extension) = self.path.extension() {
-            suffix.push(".");
-            suffix.push(extension);
-        }
-        suffix.push(".part");
-        Part::new(&self.folder, ".whitecap-", &suffix)
+        Part::new(&self.folder, self.path.extension())
     }
 }
 

@@ -46,6 +46,15 @@ impl WholeFolder {
         Ok(())
     }
 
+    /// Makes the folder now, if it is not there.
+    pub(crate) fn make(&self) -> Result<(), Failure> {
+        match fs::create_dir(&self.path) {
+            Ok(()) => Ok(()),
+            Err(_) if self.path.is_dir() => Ok(()),
+            Err(error) => Err(cannot_write(&self.path, error)),
+        }
+    }
+
     /// Writes files by name and bytes, in order. If the folder had to be made and the first file does not
     /// succeed, no folder is left behind.
     pub(crate) fn write(&self, files: &[(String, Vec<u8>)]) -> Result<(), Failure> {

@@ -7,7 +7,7 @@
 //! | WAVEWATCH III point output of spectra | a table |
 //! | SWAN standard spectral file, version 1 | a table, or mean and spread |
 //!
-//! Files are told apart by their first line. A single value that is missing counts as no energy; a record
+//! Files are told apart by their first line. A single value that is missing counts as no energy and is kept in mind as such; a record
 //! without any value is kept as [`Energy::Missing`]. A record that a file repeats counts once; one that it has twice with
 //! different values is an error. Memory is set aside for what a file holds, not for what
 //! its header claims.

@@ -74,6 +74,8 @@ pub struct MeasuredSea {
     pub frequencies_hz: Arc<[f64]>,
     /// The waves.
     pub energy: Energy,
+    /// Which frequencies have a value missing; it counts as no energy.
+    pub missing: Vec<usize>,
 }
 
 /// What a record says of the waves.
@@ -187,6 +189,26 @@ impl MeasuredSea {
     pub fn variance_beyond_m2(&self) -> f64 {
         let last = self.density_m2phz().last().copied().unwrap_or(0.0);
         0.25 * last * self.frequencies_hz.last().copied().unwrap_or(0.0)
+    }
+
+    /// The variance in m² that the frequencies with a missing value may have had beside what is left of them: on a line between
+    /// the whole ones next to them, and above the last of those falling off as f⁻⁵. The record does not have it.
+    pub fn variance_missing_m2(&self) -> f64 {
+        let (density, hz) = (self.density_m2phz(), &self.frequencies_hz);
+        let whole: Vec<usize> = (0..density.len()).filter(|i| !self.missing.contains(i)).collect();
+        let likely = |i: usize| {
+            let above = whole.partition_point(|known| *known < i);
+            match (above.checked_sub(1).map(|below| whole[below]), whole.get(above)) {
+                (Some(a), Some(&b)) => {
+                    density[a] + (density[b] - density[a]) * (hz[i] - hz[a]) / (hz[b] - hz[a])
+                }
+                (Some(a), None) => density[a] * (hz[a] / hz[i]).powi(5),
+                (None, _) => 0.0,
+            }
+        };
+        let widths = self.widths_hz();
+        let lost = |i: &usize| Some(widths.get(*i)? * (likely(*i) - density.get(*i)?).max(0.0));
+        self.missing.iter().filter_map(lost).sum()
     }
 
     /// The same waves, and beyond the last frequency those that a wind sea has: they go on as f⁻⁵, in its directions, to 10 Hz,

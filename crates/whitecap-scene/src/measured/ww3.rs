@@ -63,6 +63,7 @@ pub(super) fn read(bytes: &[u8], name: &str) -> Result<Vec<MeasuredSea>, Measure
                 time: Some(time),
                 frequencies_hz: Arc::clone(&frequencies_hz),
                 energy: energy(&values, &toward_rad),
+                missing: Vec::new(), // the format has no word for it
             };
             records.push(&text, begins, sea)?;
         }

@@ -2,8 +2,10 @@
 
 use std::f64::consts::TAU;
 
+use glam::DVec2;
 use whitecap_waves::model::spectral::{Band, Cascade, SpectralSea};
 use whitecap_waves::spectrum::{Profile, WaveSpectrum};
+use whitecap_waves::statistics::DirectionalSum;
 use whitecap_waves::{ParameterError, Remedy};
 
 use super::spectral::{FULL, LEAST_PEAK_WAVES};
@@ -122,6 +124,55 @@ pub(super) fn few_waves(
         })
     };
     spectra.iter().map(|spectrum| &**spectrum).enumerate().filter_map(of_system).collect()
+}
+
+/// How much broader than asked for directions may run without a word, as a factor.
+const BROADENED: f64 = 1.05;
+
+/// Where the largest tile's lattice has too few directions for a system's spread at its peak: one sentence for each such
+/// system. A wave stands for a cell of 2π/L, which is 2π/(L k) wide in direction; evenly filled it has a twelfth of the square of
+/// that as variance, beside the system's own.
+pub(super) fn few_directions(
+    settings: &SpectralSettings,
+    spectra: &[Box<dyn WaveSpectrum>],
+    sea: &SpectralSea,
+) -> Vec<String> {
+    let largest_m = sea.parameters().cascades[0].tile_size_m;
+    let of_system = |(index, spectrum): (usize, &dyn WaveSpectrum)| {
+        if spectrum.variance_m2() <= 0.0 {
+            return None;
+        }
+        let peak = Profile::of(&spectrum).peak_wave_number();
+        if largest_m * peak < LEAST_PEAK_WAVES * TAU {
+            return None; // few_waves says it
+        }
+        let spread = spread_rad(spectrum, peak);
+        let of_cells = TAU / (largest_m * peak) / 12.0_f64.sqrt();
+        let drawn = spread.hypot(of_cells);
+        let enough_m = (TAU / peak / (12.0 * (BROADENED.powi(2) - 1.0)).sqrt() / spread).ceil();
+        (drawn > BROADENED * spread && spread > 0.0).then(|| {
+            let key = largest_tile(settings);
+            format!(
+                "{key} = {largest_m}: waves at the peak of sea.system[{index}] spread over {:.1}°, drawn over {:.1}°, as a tile has \
+                 only so many directions; {key} = {enough_m} has enough",
+                spread.to_degrees(),
+                drawn.to_degrees()
+            )
+        })
+    };
+    spectra.iter().map(|spectrum| &**spectrum).enumerate().filter_map(of_system).collect()
+}
+
+/// The spread of a spectrum's directions at one wave number.
+fn spread_rad(spectrum: &dyn WaveSpectrum, wave_number: f64) -> f64 {
+    /// Steps of a tenth of the narrowest spread.
+    const DIRECTIONS: u32 = 1440;
+    let mut sum = DirectionalSum::default();
+    for i in 0..DIRECTIONS {
+        let toward = DVec2::from_angle(TAU * f64::from(i) / f64::from(DIRECTIONS));
+        sum.add(spectrum.density_m4(wave_number * toward), toward);
+    }
+    sum.spread_rad()
 }
 
 /// The side of a tile that holds eight waves of the peak.

@@ -314,6 +314,7 @@ impl SpectralSettings {
             .chain(of_sum)
             .chain(captured.enumerate().filter_map(lost))
             .chain(fitting::few_waves(self, &spectra, sea))
+            .chain(fitting::few_directions(self, &spectra, sea))
             .chain(looped)
             .chain(against)
             .collect())

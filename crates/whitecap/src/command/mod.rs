@@ -26,7 +26,8 @@ Exit codes:
   2  wrong usage or input: a bad option, a scene with an error, a folder that does not exist
 
 Data goes to standard output, everything else to standard error. With --json, standard output holds one \
-JSON document: the result, or {\"error\": \"…\"} beside the same sentence on standard error.";
+JSON document: the result, or {\"error\": \"…\"} beside the same sentence on standard error. Of a sequence it \
+holds a line of JSON for each frame and one for the whole.";
 
 /// A calibrated sea, from a scene file to a picture
 #[derive(Debug, clap::Parser)]

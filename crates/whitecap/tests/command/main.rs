@@ -8,6 +8,7 @@ mod no_adapter;
 mod probe;
 mod render;
 mod scenes;
+mod sequence;
 mod spectrum;
 mod usage;
 

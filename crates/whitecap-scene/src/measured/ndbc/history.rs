@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::super::text::number;
 use super::super::{Format, MeasuredError, MeasuredSea, Records, Text};
-use super::{DENSITY, energy, place, time};
+use super::{DENSITY, energy, missing, place, time};
 
 /// Whether a file with this first line is of the format: columns of a time, then frequencies.
 pub(in super::super) fn is_history(first_line: &str) -> bool {
@@ -55,6 +55,7 @@ pub(in super::super) fn read(bytes: &[u8], name: &str) -> Result<Vec<MeasuredSea
             time: Some(time),
             frequencies_hz: Arc::clone(&frequencies_hz),
             energy: energy(&values[skipped..]),
+            missing: missing(&values[skipped..]),
         };
         records.push(&text, text.line(), sea)?;
     }

@@ -66,6 +66,11 @@ impl Column {
     }
 }
 
+/// The frequencies of a record whose values are missing.
+fn missing(values: &[Option<f64>]) -> Vec<usize> {
+    (0..values.len()).filter(|i| values[*i].is_none()).collect()
+}
+
 /// The densities of a record in m²/Hz, where a missing value is no energy.
 fn energy(values: &[Option<f64>]) -> Energy {
     if values.iter().all(Option::is_none) {

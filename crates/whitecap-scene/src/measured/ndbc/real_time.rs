@@ -8,7 +8,7 @@ use whitecap_waves::spectrum::tabulated::DirectionalMoments;
 
 use super::super::sea::toward_rad;
 use super::super::{Energy, Format, MeasuredError, MeasuredProblem, MeasuredSea, Records, Text, Time};
-use super::{BEARING, Column, DENSITY, RATIO, SEPARATION, energy, place, time};
+use super::{BEARING, Column, DENSITY, RATIO, SEPARATION, energy, missing, place, time};
 
 /// The extensions of the files of directions: α₁, α₂ (degrees that waves come from), r₁, r₂.
 pub(in super::super) const COMPANIONS: [&str; 4] = ["swdir", "swdir2", "swr1", "swr2"];
@@ -64,6 +64,7 @@ pub(in super::super) fn read(
             time: Some(row.time),
             frequencies_hz: Arc::clone(&frequencies_hz),
             energy,
+            missing: missing(&row.values),
         };
         records.push(&text, text.line(), sea)?;
     }

@@ -37,13 +37,14 @@ pub(super) fn read(bytes: &[u8], name: &str) -> Result<Vec<MeasuredSea>, Measure
         }
         is_first = false;
         for place in &header.places {
-            let (begins, energy) = table::read(&mut text, &header)?;
+            let (begins, energy, missing) = table::read(&mut text, &header)?;
             let sea = MeasuredSea {
                 source: Format::Swan,
                 place: Arc::clone(place),
                 time,
                 frequencies_hz: Arc::clone(&header.frequencies_hz),
                 energy,
+                missing,
             };
             records.push(&text, begins, sea)?;
         }

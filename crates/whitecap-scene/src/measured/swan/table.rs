@@ -1,6 +1,6 @@
 //! The table of one place at one time.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::sync::Arc;
 
 use whitecap_waves::spectrum::tabulated::DirectionalMoments;
@@ -9,65 +9,69 @@ use super::super::{Energy, MeasuredError, Text};
 use super::header::{Header, Quantity};
 use super::{expect, first};
 
-/// Reads the table that comes next: the line that it begins in, and what it holds.
-pub(super) fn read(text: &mut Text<'_>, header: &Header) -> Result<(usize, Energy), MeasuredError> {
+/// Reads the table that comes next: the line that it begins in, what it holds, and the frequencies that have exception
+/// values.
+pub(super) fn read(
+    text: &mut Text<'_>,
+    header: &Header,
+) -> Result<(usize, Energy, Vec<usize>), MeasuredError> {
     const WANTED: [&str; 2] = ["LOCATION, ZERO or NODATA", "FACTOR, ZERO or NODATA"];
     let wanted = WANTED[usize::from(header.toward_rad.is_some())];
     let line = expect(text, wanted)?;
     let begins = text.line();
-    let energy = match (first(line), &header.toward_rad) {
-        ("ZERO", _) => Energy::Calm,
-        ("NODATA", _) => Energy::Missing,
+    let (energy, missing) = match (first(line), &header.toward_rad) {
+        ("ZERO", _) => (Energy::Calm, Vec::new()),
+        ("NODATA", _) => (Energy::Missing, Vec::new()),
         ("FACTOR", Some(toward_rad)) => directional(text, header, toward_rad)?,
         ("LOCATION", None) => means(text, header)?,
         _ => return Err(text.unexpected(line, wanted)),
     };
-    Ok((begins, energy))
+    Ok((begins, energy, missing))
 }
 
 fn directional(
     text: &mut Text<'_>,
     header: &Header,
     toward_rad: &Arc<[f64]>,
-) -> Result<Energy, MeasuredError> {
+) -> Result<(Energy, Vec<usize>), MeasuredError> {
     let scale = text.first_number("the factor")?;
     let count = header.frequencies_hz.len() * toward_rad.len();
     let [(Quantity::Density { factor }, exception)] = header.quantities[..] else {
-        return Ok(Energy::Missing); // the header lets nothing else through
+        return Ok((Energy::Missing, Vec::new())); // the header lets nothing else through
     };
-    let some = Cell::new(false);
+    let (read, exceptions) = (Cell::new(0), RefCell::new(Vec::new()));
     let density = text.numbers_that(count, "densities, as integers", |text, value| {
+        let i = read.replace(read.get() + 1);
         if is_exception(value, exception) {
+            exceptions.borrow_mut().push(i / toward_rad.len());
             return Ok(0.0);
         }
-        some.set(true);
         check(text, value * scale * factor)
     })?;
-    if !some.get() {
-        return Ok(Energy::Missing);
+    let mut missing = exceptions.into_inner();
+    if missing.len() == count {
+        return Ok((Energy::Missing, Vec::new()));
     }
+    missing.dedup();
     if density.iter().all(|value| *value == 0.0) {
-        return Ok(Energy::Calm);
+        return Ok((Energy::Calm, missing));
     }
-    Ok(Energy::Directional { toward_rad: Arc::clone(toward_rad), density })
+    Ok((Energy::Directional { toward_rad: Arc::clone(toward_rad), density }, missing))
 }
 
 /// A line for each frequency, a column for each quantity.
-fn means(text: &mut Text<'_>, header: &Header) -> Result<Energy, MeasuredError> {
-    let (mut density, mut moments) = (Vec::new(), Vec::new());
-    let mut is_missing = true;
-    for _ in 0..header.frequencies_hz.len() {
+fn means(text: &mut Text<'_>, header: &Header) -> Result<(Energy, Vec<usize>), MeasuredError> {
+    let (mut density, mut moments, mut missing) = (Vec::new(), Vec::new(), Vec::new());
+    for i in 0..header.frequencies_hz.len() {
         let row = text.numbers(header.quantities.len(), "the quantities of a frequency")?;
-        let (mut of_row, mut mean, mut spread_deg) = (0.0, None, None);
+        let (mut of_row, mut mean, mut spread_deg) = (None, None, None);
         for (value, (quantity, exception)) in row.into_iter().zip(&header.quantities) {
             if is_exception(value, *exception) {
                 continue;
             }
             match quantity {
                 Quantity::Density { factor } => {
-                    of_row = value * factor;
-                    is_missing = false;
-                    check(text, of_row)?;
+                    of_row = Some(check(text, value * factor)?);
                 }
                 Quantity::Mean(bearing) => mean = Some(bearing.toward_rad(value)),
                 Quantity::Spread if !(0.0..=WIDEST_DEG).contains(&value) => {
@@ -77,19 +81,22 @@ fn means(text: &mut Text<'_>, header: &Header) -> Result<Energy, MeasuredError> 
                 Quantity::Other => {}
             }
         }
-        density.push(of_row);
+        if of_row.is_none() {
+            missing.push(i);
+        }
+        density.push(of_row.unwrap_or(0.0));
         moments.push(mean.zip(spread_deg).map(|(mean, spread_deg)| moments_of(mean, spread_deg)));
     }
-    if is_missing {
-        return Ok(Energy::Missing);
-    }
-    if density.iter().all(|value| *value == 0.0) {
-        return Ok(Energy::Calm);
-    }
-    if moments.iter().all(Option::is_none) {
-        return Ok(Energy::Omnidirectional { density });
-    }
-    Ok(Energy::Moments { density, moments })
+    let energy = if missing.len() == density.len() {
+        Energy::Missing
+    } else if density.iter().all(|value| *value == 0.0) {
+        Energy::Calm
+    } else if moments.iter().all(Option::is_none) {
+        Energy::Omnidirectional { density }
+    } else {
+        Energy::Moments { density, moments }
+    };
+    Ok((energy, missing))
 }
 
 /// The spread of waves that run alike in all directions is √2 rad, and no other is wider; with digits to spare.

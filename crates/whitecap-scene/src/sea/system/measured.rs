@@ -138,6 +138,7 @@ impl MeasuredSystem {
             self.skipped(&seas, chosen),
             self.contradicting(chosen),
             self.undirected(chosen),
+            self.incomplete(chosen),
             self.resummed(&drawn, spectrum),
             self.cut_off(&drawn),
         ];
@@ -192,6 +193,26 @@ impl MeasuredSystem {
                 100.0 * share
             )
         })
+    }
+
+    fn incomplete(&self, chosen: &MeasuredSea) -> Option<String> {
+        let (there, lost) = (chosen.variance_m2(), chosen.variance_missing_m2());
+        let whole_m = significant_height_m(there + lost);
+        if significant_height_m(there) >= 0.99 * whole_m {
+            return None;
+        }
+        let ends = [chosen.missing.first(), chosen.missing.last()].map(|i| chosen.frequencies_hz.get(*i?));
+        let [Some(first), Some(last)] = ends else { return None };
+        let place =
+            if first == last { format!("at {first} Hz") } else { format!("from {first} to {last} Hz") };
+        Some(format!(
+            "{}: values of {} of its {} frequencies, {place}, are missing and count as no energy: {:.2} m of \
+             significant height, {whole_m:.2} m if they were like their neighbours; another time may be whole",
+            self.measured.display(),
+            chosen.missing.len(),
+            chosen.frequencies_hz.len(),
+            significant_height_m(there)
+        ))
     }
 
     fn resummed(&self, chosen: &MeasuredSea, spectrum: &dyn WaveSpectrum) -> Option<String> {

@@ -1,4 +1,8 @@
-//! `whitecap render`: one picture of one scene.
+//! `whitecap render`: one picture of one scene, or a sequence of them.
+
+mod film;
+mod frames;
+mod sequence;
 
 use super::options::{
     MAX_SEED, Size, WantedAdapter, WantedBackend, backend_parser, parse_size, parse_time_s,
@@ -7,15 +11,18 @@ use crate::failure::Failure;
 use crate::stages::{StageTime, Stages, milliseconds};
 use crate::whole_file::WholeFile;
 use crate::{memory, openexr, png, stdout};
-use anyhow::Context;
+use anyhow::{Context, anyhow};
 use clap::ValueHint;
 use clap::builder::{PathBufValueParser, TypedValueParser};
+use frames::{Chunk, Frames, Pattern, Rate, parse_chunk, parse_frames, parse_rate};
 use std::fmt::Write;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
-use whitecap_render::picture::{MAX_SAMPLES, PictureRequest, Pictures, SAMPLES_OF_STILL, Stage};
+use whitecap_render::picture::{
+    AuxPicture, LightPicture, MAX_SAMPLES, Picture, PictureRequest, Pictures, SAMPLES_OF_STILL, Stage,
+};
 use whitecap_render::{AdapterDescription, Gpu};
 use whitecap_scene::{Scene, named};
 
@@ -28,11 +35,18 @@ Examples:
   whitecap render --samples 64 -o still.png        a smooth still, the mean of 64 drawings
   whitecap render spectral-ocean -o sea.exr        the light itself: linear, without tone map
   whitecap render spectral-ocean --aux             beside it spectral-ocean.aux.exr: depth, normals, masks
+  whitecap render --frames 0..240 -o out/frame.%04d.png       ten seconds at 24 frames a second
+  whitecap render --frames 0..240 --chunk 2/5 -o out/f.%d.exr the second fifth of them, as one of five machines
+  whitecap render --frames 0..250 --fps 25 -o sea.mp4         a film, through your ffmpeg
+
+Frames that are there already are kept, so a sequence that was interrupted goes on where it was; several processes \
+may work on one folder. Frame 0 is at --time. With --json each frame is a line as soon as its file is there, and the \
+last line is the whole.
 
 Same scene, same seed, same time, same adapter: same picture. The file is written whole or not at all, and \
 an existing one is replaced. `whitecap scenes` lists the named scenes, `whitecap adapters` the adapters.";
 
-/// Render one picture of a scene, as PNG or as linear light in OpenEXR
+/// Render a picture of a scene, a sequence of pictures, or a film
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Render {
@@ -40,8 +54,9 @@ pub(crate) struct Render {
     #[arg(default_value = named::DEFAULT, value_hint = ValueHint::FilePath)]
     scene: String,
 
-    /// The picture's file, ending in .png, or in .exr for linear light; its folder must exist [default: SCENE's name with
-    /// .png, in the current folder]
+    /// The picture's file, ending in .png, or in .exr for linear light; its folder must exist. With --frames a name with a
+    /// counter, such as frame.%04d.png, or a film's, ending in .mp4 or .webm [default: SCENE's name with .png, in the
+    /// current folder]
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath,
         value_parser = PathBufValueParser::new().try_map(picture_path))]
     output: Option<PathBuf>,
@@ -55,6 +70,23 @@ pub(crate) struct Render {
     #[arg(long, value_name = "SECONDS", default_value = "0", allow_hyphen_values = true,
         value_parser = parse_time_s)]
     time: f64,
+
+    /// Render a sequence: the frames from A to the one before B
+    #[arg(long, value_name = "A..B", allow_hyphen_values = true, value_parser = parse_frames)]
+    frames: Option<Frames>,
+
+    /// Frames a second of a sequence, as a number or a fraction such as 30000/1001
+    #[arg(long, value_name = "RATE", default_value = "24", allow_hyphen_values = true, requires = "frames",
+        value_parser = parse_rate)]
+    fps: Rate,
+
+    /// Render the I-th of N parts of the frames, for one machine of N
+    #[arg(long, value_name = "I/N", allow_hyphen_values = true, requires = "frames", value_parser = parse_chunk)]
+    chunk: Option<Chunk>,
+
+    /// Make the frames anew that are there already
+    #[arg(long, requires = "frames")]
+    overwrite: bool,
 
     /// The seed of the sea's random phases, in place of the scene's
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u64).range(..=MAX_SEED))]
@@ -77,18 +109,31 @@ pub(crate) struct Render {
     #[arg(long, value_name = "WHO", default_value = "auto", value_parser = backend_parser())]
     backend: WantedBackend,
 
-    /// Print the result as JSON: scene, picture, aux, size, samples, time, seed, adapter, stages, total, peak memory
+    /// Print the result as JSON: scene, picture, aux, size, samples, time, seed, adapter, stages, total, peak memory; of a
+    /// sequence a line for each frame, and one of the whole
     #[arg(long)]
     pub(crate) json: bool,
 }
 
 impl Render {
     pub(crate) fn run(&self, started: Instant) -> Result<ExitCode, Failure> {
+        match self.frames {
+            Some(frames) => sequence::run(self, frames, started),
+            None => self.still(started),
+        }
+    }
+
+    fn still(&self, started: Instant) -> Result<ExitCode, Failure> {
         let mut stages = Stages::new(self.json);
         stages.begin("scene");
-        let path = self.output.clone().unwrap_or_else(|| default_output(&self.scene));
-        let mut scene = super::open(&self.scene)?;
-        scene.seed = self.seed.unwrap_or(scene.seed);
+        let path = self.output.clone().unwrap_or_else(|| default_output(&self.scene, ".png"));
+        if film::Container::of(&path).is_some() {
+            return Err(Failure::Input(anyhow!("{} is a film; say which --frames", path.display())));
+        }
+        if Pattern::parse(&path).is_ok() {
+            return Err(Failure::Input(anyhow!("{} counts frames; say which --frames", path.display())));
+        }
+        let scene = self.opened()?;
         let file = WholeFile::plan(&path)?;
         let aux_path = self.aux.then(|| path.with_extension("aux.exr"));
         let aux_file = aux_path.as_deref().map(WholeFile::plan).transpose()?;
@@ -96,19 +141,24 @@ impl Render {
         stages.begin("adapter");
         let gpu = Gpu::open(self.adapter.name.as_deref())?;
 
-        let request = PictureRequest {
-            backend: self.backend.0,
-            width: self.size.width,
-            height: self.size.height,
-            time_s: self.time,
-        };
+        let request = self.request();
         let mut pictures = Pictures::new(&gpu, &scene, &request);
         if aux_file.is_some() {
             pictures = pictures.expecting_aux();
         }
-        let (bytes, samples) = self.picture(&mut pictures, &scene, is_exr(&path), &mut stages)?;
+        let is_exr = is_exr(&path);
+        let drawn = self.draw(&mut pictures, is_exr, &mut |stage, done| match done {
+            Some((done, count)) if done > 0 => stages.tell(&format!("{done} of {count} samples")),
+            _ => stages.begin(stage.label()),
+        })?;
+        stages.begin(if is_exr { "exr" } else { "png" });
+        let bytes = drawn.encoded(&self.about(&scene, self.time, drawn.samples))?;
         let aux = match &aux_file {
-            Some(_) => Some(self.aux(&mut pictures, &scene, &mut stages)?),
+            Some(_) => {
+                stages.begin("aux");
+                let aux = pictures.aux(&mut |stage| stages.tell(stage.label()))?;
+                Some(encoded_aux(&aux, &self.about(&scene, self.time, Some(1)))?)
+            }
             None => None,
         };
         stages.begin("file");
@@ -123,7 +173,7 @@ impl Render {
             aux: aux_path.map(|path| path.display().to_string()),
             width: request.width,
             height: request.height,
-            samples,
+            samples: drawn.samples,
             time_s: self.time,
             seed: scene.seed,
             adapter: &gpu.adapter,
@@ -135,57 +185,76 @@ impl Render {
         Ok(ExitCode::SUCCESS)
     }
 
-    /// The bytes of the picture's file, and the samples that it has been averaged from.
-    fn picture(
-        &self,
-        pictures: &mut Pictures<'_>,
-        scene: &Scene,
-        is_exr: bool,
-        stages: &mut Stages,
-    ) -> Result<(Vec<u8>, Option<u32>), Failure> {
-        let samples = self.samples.or(is_exr.then_some(SAMPLES_OF_STILL));
-        let Some(count) = samples else {
-            let picture = pictures.picture(&mut |stage| stages.begin(stage.label()))?;
-            stages.begin("png");
-            return Ok((encoded(png::encode(&picture))?, None));
-        };
-        let mut progress = |stage: Stage, done: u32| {
-            if done == 0 || stage != Stage::Draw {
-                stages.begin(stage.label());
-            }
-            if stage == Stage::Draw {
-                stages.tell(&format!("{done} of {count} samples"));
-            }
-        };
-        let bytes = if is_exr {
-            let light = pictures.light(count, &mut progress)?;
-            stages.begin("exr");
-            encoded(openexr::encode(&light, &self.about(scene, count)))?
-        } else {
-            let picture = pictures.supersampled(count, &mut progress)?;
-            stages.begin("png");
-            encoded(png::encode(&picture))?
-        };
-        Ok((bytes, samples))
+    fn opened(&self) -> Result<Scene, Failure> {
+        let mut scene = super::open(&self.scene)?;
+        scene.seed = self.seed.unwrap_or(scene.seed);
+        Ok(scene)
     }
 
-    /// The bytes of the file of what the picture shows beside its light.
-    fn aux(
+    fn request(&self) -> PictureRequest {
+        PictureRequest {
+            backend: self.backend.0,
+            width: self.size.width,
+            height: self.size.height,
+            time_s: self.time,
+        }
+    }
+
+    /// One picture. `progress` hears of each stage, and while samples are drawn how many of how many.
+    fn draw(
         &self,
         pictures: &mut Pictures<'_>,
-        scene: &Scene,
-        stages: &mut Stages,
-    ) -> Result<Vec<u8>, Failure> {
-        stages.begin("aux");
-        let picture = pictures.aux(&mut |stage| stages.tell(stage.label()))?;
-        encoded(openexr::encode_aux(&picture, &self.about(scene, 1)))
+        is_exr: bool,
+        progress: &mut dyn FnMut(Stage, Option<(u32, u32)>),
+    ) -> Result<Drawn, Failure> {
+        let samples = self.samples.or(is_exr.then_some(SAMPLES_OF_STILL));
+        let Some(count) = samples else {
+            let picture = pictures.picture(&mut |stage| progress(stage, None))?;
+            return Ok(Drawn { image: Image::Display(picture), samples });
+        };
+        let mut progress =
+            |stage: Stage, done: u32| progress(stage, (stage == Stage::Draw).then_some((done, count)));
+        let image = if is_exr {
+            Image::Light(pictures.light(count, &mut progress)?)
+        } else {
+            Image::Display(pictures.supersampled(count, &mut progress)?)
+        };
+        Ok(Drawn { image, samples })
     }
 
     /// What the picture is of.
-    fn about(&self, scene: &Scene, samples: u32) -> String {
+    fn about(&self, scene: &Scene, time_s: f64, samples: Option<u32>) -> String {
+        let samples = samples.unwrap_or(1);
         let plural = if samples == 1 { "" } else { "s" };
-        format!("{} at {} s, seed {}, {samples} sample{plural} a pixel", self.scene, self.time, scene.seed)
+        format!("{} at {time_s} s, seed {}, {samples} sample{plural} a pixel", self.scene, scene.seed)
     }
+}
+
+/// What came from the adapter.
+struct Drawn {
+    image: Image,
+    /// Samples that it has been averaged from; none where the adapter smoothed.
+    samples: Option<u32>,
+}
+
+enum Image {
+    Display(Picture),
+    Light(LightPicture),
+}
+
+impl Drawn {
+    /// The bytes of its file.
+    fn encoded(&self, about: &str) -> Result<Vec<u8>, Failure> {
+        encoded(match &self.image {
+            Image::Display(picture) => png::encode(picture),
+            Image::Light(light) => openexr::encode(light, about),
+        })
+    }
+}
+
+/// The bytes of the file of what a picture shows beside its light.
+fn encoded_aux(picture: &AuxPicture, about: &str) -> Result<Vec<u8>, Failure> {
+    encoded(openexr::encode_aux(picture, about))
 }
 
 fn encoded(bytes: io::Result<Vec<u8>>) -> Result<Vec<u8>, Failure> {
@@ -243,10 +312,10 @@ impl Report<'_> {
 }
 
 fn picture_path(path: PathBuf) -> Result<PathBuf, String> {
-    if has_extension(&path, "png") || is_exr(&path) {
+    if has_extension(&path, "png") || is_exr(&path) || film::Container::of(&path).is_some() {
         Ok(path)
     } else {
-        Err("accepted: a file name that ends in .png or .exr".to_owned())
+        Err("accepted: a file name that ends in .png or .exr, or for a film in .mp4 or .webm".to_owned())
     }
 }
 
@@ -259,9 +328,9 @@ fn has_extension(path: &Path, wanted: &str) -> bool {
 }
 
 /// The scene's name, without folder and `.toml`, as a picture in the current folder.
-fn default_output(scene: &str) -> PathBuf {
+fn default_output(scene: &str, ending: &str) -> PathBuf {
     let name = Path::new(scene).file_name().map_or_else(|| "picture".into(), |name| name.to_string_lossy());
-    PathBuf::from(format!("{}.png", name.strip_suffix(".toml").unwrap_or(&name)))
+    PathBuf::from(format!("{}{ending}", name.strip_suffix(".toml").unwrap_or(&name)))
 }
 
 #[cfg(test)]
@@ -270,7 +339,8 @@ mod tests {
 
     #[test]
     fn pictures_are_png_or_exr_by_name() {
-        for accepted in ["sea.png", "a/b.PNG", "sea.v2.png", "sea.exr", "sea.png.EXR"] {
+        for accepted in ["sea.png", "a/b.PNG", "sea.v2.png", "sea.exr", "sea.png.EXR", "sea.mp4", "sea.WebM"]
+        {
             assert!(picture_path(accepted.into()).is_ok(), "{accepted}");
         }
         for refused in ["sea.jpg", "sea", "png", ".png", "exr", ".exr", "-", "sea.png/", "", "sea.png "] {
@@ -284,7 +354,7 @@ mod tests {
         for (scene, picture) in
             [("meshuggah", "meshuggah.png"), ("seas/storm.toml", "storm.png"), ("a.b.toml", "a.b.png")]
         {
-            assert_eq!(default_output(scene), Path::new(picture));
+            assert_eq!(default_output(scene, ".png"), Path::new(picture));
         }
     }
 }
