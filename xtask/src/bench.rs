@@ -3,7 +3,7 @@
 use crate::{process, product, setup};
 use anyhow::{Context, Result};
 use serde_json::Value;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
 /// The sides of the synthesised tiles.
@@ -61,7 +61,7 @@ pub(crate) fn run() -> Result<()> {
 fn synthesis() -> Result<String> {
     process::heading("synthesis of a sea");
     process::run(process::cargo().args(["bench", "--package", "whitecap-waves", "--bench", "synthesis"]))?;
-    let folder = target_folder()?.join("criterion");
+    let folder = process::target_folder()?.join("criterion");
     let mut table = String::from(
         "| tile | sea, ms | realfft, ms | ratio | goal | own transforms, ms | two threads, ms | faster | goal |\n\
          | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
@@ -85,7 +85,9 @@ fn synthesis() -> Result<String> {
 fn sea() -> Result<String> {
     process::heading("a sea of four tiles of 256², and questions to it");
     process::run(process::cargo().args(["bench", "--package", "whitecap-waves", "--bench", "sea"]))?;
-    let of = |name: &str| Ok::<_, anyhow::Error>(target_folder()?.join("criterion/four-tiles").join(name));
+    let of = |name: &str| {
+        Ok::<_, anyhow::Error>(process::target_folder()?.join("criterion/four-tiles").join(name))
+    };
     let ms = |name: &str| median_ms(&of(name)?);
     let (snapshot, query) = (ms("snapshot")?, ms("query")?);
     let mut setups = String::new();
@@ -105,7 +107,7 @@ fn sea() -> Result<String> {
 
 fn whole_command(whitecap: &Path) -> Result<String> {
     process::heading("render of the default scene, start to end");
-    let folder = target_folder()?.join("bench");
+    let folder = process::target_folder()?.join("bench");
     std::fs::create_dir_all(&folder)?;
     let mut seconds = Vec::new();
     let mut megabytes = Vec::new();
@@ -182,14 +184,6 @@ fn median_ms(folder: &Path) -> Result<f64> {
 fn median_ms_in(estimates: &str) -> Option<f64> {
     let estimates: Value = serde_json::from_str(estimates).ok()?;
     Some(estimates["median"]["point_estimate"].as_f64()? / 1e6)
-}
-
-/// Where cargo builds, and criterion keeps its figures.
-fn target_folder() -> Result<PathBuf> {
-    let mut metadata = process::cargo();
-    let text = process::output(metadata.args(["metadata", "--format-version", "1", "--no-deps"]))?;
-    let metadata: Value = serde_json::from_str(&text)?;
-    metadata["target_directory"].as_str().map(PathBuf::from).context("cargo metadata names no target folder")
 }
 
 /// The least, the middle and the largest.

@@ -1,20 +1,22 @@
 //! Every check that a change must pass, in one go. Each runs whatever became of the others, so that one run
 //! shows everything there is to mend.
 
-use crate::{process, product, setup};
+use crate::{process, product, setup, web};
 use anyhow::Result;
 use std::path::Path;
 use std::process::Command;
 
 /// Whether every crate that is published can be packed. All at once, since they need each other and are on no
 /// registry; offline, since everything they need has been fetched by then; without building them once more.
-const PACKAGE: [&str; 10] = [
+const PACKAGE: [&str; 12] = [
     "package",
     "--workspace",
     "--exclude",
     "xtask",
     "--exclude",
     "whitecap-tests",
+    "--exclude",
+    "whitecap-web",
     "--no-verify",
     "--allow-dirty",
     "--offline",
@@ -56,6 +58,7 @@ pub(crate) fn run() -> Result<()> {
         }
         Err(error) => tally.fail("build of the tests", &format!("{error:#}")),
     }
+    page(&mut tally);
     if tally.close() {
         Ok(())
     } else {
@@ -74,6 +77,16 @@ fn tests(tally: &mut Tally) -> Result<()> {
         tally.fail("tests", "cargo test failed without a failing test; its output says why");
     }
     Ok(())
+}
+
+/// The page for browsers: built, weighed, and tested in one.
+fn page(tally: &mut Tally) {
+    let failed_before = tally.failed;
+    match web::page_test(&mut |line| tally.count(line)) {
+        Ok(succeeded) if succeeded || tally.failed > failed_before => {}
+        Ok(_) => tally.fail("page", "its test failed without a failing case; its output says why"),
+        Err(error) => tally.fail("page", &format!("{error:#}")),
+    }
 }
 
 fn has_cargo_deny() -> bool {

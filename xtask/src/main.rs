@@ -8,10 +8,11 @@ mod goldens;
 mod process;
 mod product;
 mod setup;
+mod web;
 
 use std::process::ExitCode;
 
-/// A chore: its word, what it does, and the function that does it.
+/// A chore: its words, what it does, and the function that does it.
 struct Chore {
     word: &'static str,
     summary: &'static str,
@@ -37,18 +38,19 @@ const ALL: &[Chore] = &[
         summary: "measure the sea, the command and the frames against their goals",
         run: bench::run,
     },
+    Chore { word: "web", summary: "build the page for browsers, and weigh it", run: web::run },
+    Chore { word: "web --serve", summary: "the same, and serve it on this machine", run: web::serve },
+    Chore { word: "web --test", summary: "the same, and test it in Chromium", run: web::test },
 ];
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let chore = match arguments.as_slice() {
-        [] => return help(ExitCode::SUCCESS),
-        [flag] if ["help", "--help", "-h"].contains(&flag.as_str()) => return help(ExitCode::SUCCESS),
-        [word] => ALL.iter().find(|chore| chore.word == word),
-        _ => None,
-    };
-    let Some(chore) = chore else {
-        process::complain(&format!("no such chore: {}", arguments.join(" ")));
+    let words = arguments.join(" ");
+    if ["", "help", "--help", "-h"].contains(&words.as_str()) {
+        return help(ExitCode::SUCCESS);
+    }
+    let Some(chore) = ALL.iter().find(|chore| chore.word == words) else {
+        process::complain(&format!("no such chore: {words}"));
         return help(ExitCode::from(2));
     };
     match process::enter_repository().and_then(|()| (chore.run)()) {
@@ -63,7 +65,7 @@ fn main() -> ExitCode {
 fn help(code: ExitCode) -> ExitCode {
     process::say("Usage: cargo xtask <chore>\n");
     for chore in ALL {
-        process::say(&format!("  {:8} {}", chore.word, chore.summary));
+        process::say(&format!("  {:11} {}", chore.word, chore.summary));
     }
     code
 }

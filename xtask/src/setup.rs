@@ -126,9 +126,15 @@ pub(crate) fn ensure_screen() -> Result<()> {
         process::say("found: Xvfb");
         return Ok(());
     }
+    install_or_say(&SCREEN_PACKAGES, &format!("Install by hand: {}", SCREEN_PACKAGES.join(" ")))
+}
+
+/// Installs packages where that can be done; elsewhere says `by_hand`, what there is to do instead.
+pub(crate) fn install_or_say(packages: &[&str], by_hand: &str) -> Result<()> {
     match way_to_install() {
-        Way::Apt { sudo } => install(sudo, &SCREEN_PACKAGES),
-        Way::ByHand { reason } => bail!("{reason}. Install by hand: {}", SCREEN_PACKAGES.join(" ")),
+        Way::Apt { sudo } => install(sudo, packages)
+            .with_context(|| format!("{} could not be installed. {by_hand}\nThe cause", packages.join(", "))),
+        Way::ByHand { reason } => bail!("{reason}. {by_hand}"),
     }
 }
 
@@ -150,7 +156,7 @@ fn install(sudo: bool, packages: &[&str]) -> Result<()> {
 }
 
 /// Mirrors fail now and then, half-way; a second try nearly always helps.
-fn twice(mut attempt: impl FnMut() -> Result<()>) -> Result<()> {
+pub(crate) fn twice(mut attempt: impl FnMut() -> Result<()>) -> Result<()> {
     attempt().or_else(|error| {
         process::complain(&format!("{error:#}; trying once more"));
         attempt()

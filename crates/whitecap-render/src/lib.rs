@@ -20,12 +20,15 @@ pub mod shader_lib;
 pub mod surface;
 mod target;
 pub mod technique;
+mod threads;
 mod timing;
 mod uniforms;
 mod view;
 mod water;
 
-pub use gpu::{AdapterDescription, Gpu, RenderError, list_adapters};
+#[cfg(not(target_arch = "wasm32"))]
+pub use gpu::list_adapters;
+pub use gpu::{AdapterDescription, Gpu, RenderError};
 pub use target::{Stores, TargetFormat};
 pub use timing::{FeatureTime, PassTime};
 pub use uniforms::MAX_VIEWS;

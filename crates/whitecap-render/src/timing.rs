@@ -4,7 +4,7 @@
 //! the pass costs, and it does not depend on timestamps, which such adapters do not answer reliably. On a GPU it
 //! holds the submission too, some hundredths of a millisecond.
 
-use std::time::Instant;
+use web_time::Instant;
 
 /// The time of one pass.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]

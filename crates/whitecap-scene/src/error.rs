@@ -47,7 +47,7 @@ impl SceneError {
     }
 
     /// An error about a whole file.
-    pub(crate) fn about_file(file: impl Into<String>, problem: impl Into<String>) -> Self {
+    pub fn about_file(file: impl Into<String>, problem: impl Into<String>) -> Self {
         Parts { file: Some(file.into()), problem: problem.into(), ..Parts::default() }.into()
     }
 

@@ -50,7 +50,7 @@ pub use camera::Camera;
 pub use error::SceneError;
 pub use picture::{Picture, ToneMap};
 pub use registry::Registered;
-pub use scene::{Scene, open};
+pub use scene::{Scene, open, open_named};
 pub use sea::Sea;
 pub use sky::Sky;
 pub use surface::SceneSurface;

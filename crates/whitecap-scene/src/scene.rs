@@ -57,23 +57,30 @@ pub struct Scene {
 ///
 /// If there is no such scene and no such file, or what is there cannot be used.
 pub fn open(name_or_path: &str) -> Result<Scene, SceneError> {
-    if let Some(named) = named::find(name_or_path) {
-        return Scene::from_toml(named.toml, &format!("{}.toml", named.name));
-    }
     let path = Path::new(name_or_path);
     let looks_like_name = path.extension().is_none() && path.components().count() <= 1;
-    if looks_like_name && !path.exists() {
-        let names: Vec<_> = named::ALL.iter().map(|scene| scene.name).collect();
-        return Err(SceneError::about_file(
-            name_or_path,
-            format!(
-                "no such scene; {}accepted: {}, or the path of a scene file",
-                did_you_mean(name_or_path, &names),
-                quoted_list(&names)
-            ),
-        ));
+    if named::find(name_or_path).is_some() || (looks_like_name && !path.exists()) {
+        return of_name(name_or_path, ", or the path of a scene file");
     }
     Scene::load(path)
+}
+
+/// Reads the scene of this name. Nothing that is said here leads to a file.
+///
+/// # Errors
+///
+/// If there is no such scene.
+pub fn open_named(name: &str) -> Result<Scene, SceneError> {
+    of_name(name, "")
+}
+
+fn of_name(name: &str, or_else: &str) -> Result<Scene, SceneError> {
+    if let Some(named) = named::find(name) {
+        return Scene::from_toml(named.toml, &format!("{}.toml", named.name));
+    }
+    let names: Vec<_> = named::ALL.iter().map(|scene| scene.name).collect();
+    let (meant, accepted) = (did_you_mean(name, &names), quoted_list(&names));
+    Err(SceneError::about_file(name, format!("no such scene; {meant}accepted: {accepted}{or_else}")))
 }
 
 impl Scene {

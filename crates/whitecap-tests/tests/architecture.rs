@@ -13,6 +13,11 @@ const RULES: &[(&str, &[&str], &[&str])] = &[
     ("whitecap-scene", &["whitecap-waves"], &["wgpu", "naga", "clap", "anyhow"]),
     ("whitecap-render", &["whitecap-waves", "whitecap-scene"], &["clap", "anyhow", "indicatif"]),
     ("whitecap-viewer", &["whitecap-waves", "whitecap-scene", "whitecap-render"], &["clap", "anyhow"]),
+    (
+        "whitecap-web",
+        &["whitecap-waves", "whitecap-scene", "whitecap-render", "whitecap-viewer"],
+        &["clap", "anyhow"],
+    ),
     ("whitecap", &["whitecap-waves", "whitecap-scene", "whitecap-render", "whitecap-viewer"], &[]),
     ("whitecap-tests", &["whitecap-waves", "whitecap-scene", "whitecap-render"], &["clap"]),
     ("xtask", &[], &["clap", "wgpu"]),

@@ -5,52 +5,21 @@ use crate::actions::{self, Action};
 use crate::camera::Rig;
 use crate::clock::Clock;
 use crate::document::Document;
+use crate::host::Host;
+use crate::link::{Link, LinkError};
 use crate::panel::{self, Told, Wishes};
 use crate::stage::Stage;
 use crate::window::Canvas;
 use std::collections::VecDeque;
-use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant, SystemTime};
+use std::path::Path;
+use std::time::{Duration, SystemTime};
+use web_time::Instant;
 use whitecap_render::View;
-use whitecap_render::picture::{Picture, PictureRequest, render_picture};
 use winit::application::ApplicationHandler;
-use winit::dpi::PhysicalSize;
 use winit::event::{ElementState, MouseButton, MouseScrollDelta, WindowEvent};
-use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop};
+use winit::event_loop::{ActiveEventLoop, ControlFlow};
 use winit::keyboard::{KeyCode, ModifiersState, PhysicalKey};
-use winit::window::{Fullscreen, Window, WindowId};
-
-/// What to view, and how.
-#[derive(Clone, Debug)]
-pub struct ViewOptions {
-    /// A named scene or the path of a scene file.
-    pub scene: String,
-    /// Part of the name, backend or driver of the adapter.
-    pub adapter: Option<String>,
-    /// Width and height of the window, pixels.
-    pub size_px: [u32; 2],
-    /// The scene's time at the start, s.
-    pub time_s: f64,
-    /// Whether time stands still at the start.
-    pub is_paused: bool,
-    /// Writes the bytes of a picture's file (PNG): the viewer writes no format of its own.
-    pub encode: fn(&Picture) -> std::io::Result<Vec<u8>>,
-    /// Writes a file whole or not at all.
-    pub write: fn(&Path, &[u8]) -> Result<(), String>,
-}
-
-/// Opens the window and returns when it is closed.
-///
-/// # Errors
-///
-/// If the scene cannot be read, there is no display, or no adapter can show on it. Later mistakes are shown in the window.
-pub fn view(options: ViewOptions) -> Result<(), ViewError> {
-    let document = Document::open(&options.scene)?;
-    let event_loop = EventLoop::new().map_err(|error| ViewError::NoDisplay { reason: reason(&error) })?;
-    let mut app = App::new(options, document);
-    event_loop.run_app(&mut app).map_err(|error| ViewError::Window(error.to_string()))?;
-    app.failed.map_or(Ok(()), Err)
-}
+use winit::window::{Fullscreen, WindowId};
 
 /// How often the scene's file is looked at.
 const WATCH: Duration = Duration::from_millis(300);
@@ -62,47 +31,54 @@ const TURN_PER_S: f64 = 0.8;
 const FRAMES: usize = 120;
 
 /// Everything that lives as long as the window does.
-struct App {
-    options: ViewOptions,
-    document: Document,
-    rig: Rig,
-    clock: Clock,
-    shown: Option<Shown>,
+pub(crate) struct App {
+    pub(crate) host: Host,
+    pub(crate) document: Document,
+    pub(crate) rig: Rig,
+    pub(crate) clock: Clock,
+    pub(crate) shown: Option<Shown>,
     held: Vec<Action>,
     modifiers: ModifiersState,
     /// Where the mouse was, while it turns the view.
     dragged: Option<(f64, f64)>,
     pointer: (f64, f64),
-    has_panel: bool,
+    pub(crate) has_panel: bool,
     has_help: bool,
-    error: Option<String>,
-    news: Option<String>,
+    pub(crate) error: Option<String>,
+    pub(crate) news: Option<String>,
     /// The scene's file as it was read, and when it was last looked at.
     read: Option<SystemTime>,
     watched: Instant,
     last_frame: Instant,
     frames_ms: VecDeque<f32>,
-    failed: Option<ViewError>,
+    /// Something has changed that is not drawn yet. Beside that, a frame comes where time or the camera moves.
+    is_stale: bool,
+    pub(crate) failed: Option<ViewError>,
+}
+
+/// What comes to the viewer from outside of its window.
+pub(crate) enum Asked {
+    /// The device that was being opened.
+    Opened(Box<Result<Canvas, ViewError>>),
+    /// The view of a link.
+    #[cfg_attr(not(target_arch = "wasm32"), expect(dead_code, reason = "windows have no address"))]
+    Link(String),
 }
 
 /// What needs a window.
-struct Shown {
-    canvas: Canvas,
+pub(crate) struct Shown {
+    pub(crate) canvas: Canvas,
     stage: Stage,
     input: egui_winit::State,
     painter: egui_wgpu::Renderer,
 }
 
 impl App {
-    fn new(options: ViewOptions, document: Document) -> App {
-        let mut clock = Clock::from(options.time_s);
-        if options.is_paused {
-            clock.toggle_pause();
-        }
+    pub(crate) fn new(host: Host, document: Document, clock: Clock) -> App {
         App {
             rig: Rig::of(&document.scene().camera),
             read: document.path().and_then(modified),
-            options,
+            host,
             document,
             clock,
             shown: None,
@@ -117,21 +93,27 @@ impl App {
             watched: Instant::now(),
             last_frame: Instant::now(),
             frames_ms: VecDeque::with_capacity(FRAMES),
+            is_stale: true,
             failed: None,
         }
     }
 
-    fn open_window(&mut self, event_loop: &ActiveEventLoop) -> Result<Shown, ViewError> {
-        let [width, height] = self.options.size_px;
-        let attributes = Window::default_attributes()
-            .with_title(title(&self.document))
-            .with_inner_size(PhysicalSize::new(width, height));
+    fn open_window(&mut self, event_loop: &ActiveEventLoop) -> Result<(), ViewError> {
+        let attributes = self.host.attributes().with_title(title(&self.document));
         let window =
             event_loop.create_window(attributes).map_err(|error| ViewError::Window(error.to_string()))?;
-        let canvas = Canvas::new(event_loop, window, self.options.adapter.as_deref())?;
+        let display = event_loop.owned_display_handle();
+        self.host.open(Canvas::new(display, window, self.host.adapter()));
+        Ok(())
+    }
+
+    /// Begins to draw on a device that has been opened.
+    fn show_on(&self, canvas: Canvas) -> Result<Shown, ViewError> {
         let mut stage = Stage::new(canvas.gpu.clone(), canvas.format());
         stage.show(self.document.scene())?;
         let context = egui::Context::default();
+        #[cfg(target_arch = "wasm32")]
+        context.set_fonts(crate::fonts::definitions(self.host.fonts()));
         let side = canvas.gpu.device.limits().max_texture_dimension_2d as usize;
         let input = egui_winit::State::new(
             context,
@@ -168,6 +150,37 @@ impl App {
         }
     }
 
+    /// The view of a link. If it shows none, the last one stays.
+    pub(crate) fn follow(&mut self, fragment: &str) -> Result<(), LinkError> {
+        let link = Link::parse(fragment)?;
+        let (document, camera) = link.document()?;
+        let is_other =
+            document.origin() != self.document.origin() || document.changes() != self.document.changes();
+        self.rig = Rig::of(&camera);
+        self.clock = Clock::from(link.time_s.unwrap_or(0.0));
+        if link.is_paused {
+            self.clock.toggle_pause();
+        }
+        self.error = None;
+        if is_other {
+            self.document = document;
+            self.rebuild();
+        }
+        Ok(())
+    }
+
+    /// The view as a link, unless it is of a file.
+    pub(crate) fn link(&self) -> Option<Link> {
+        let has_moved = self.rig != Rig::of(&self.document.scene().camera);
+        self.document.path().is_none().then(|| Link {
+            scene: Some(self.document.origin().to_owned()),
+            time_s: Some(self.clock.time_s()),
+            is_paused: self.clock.is_paused(),
+            camera: has_moved.then(|| self.rig.camera()),
+            settings: self.document.changes(),
+        })
+    }
+
     /// Reads the scene's file again if it has changed.
     fn watch(&mut self) {
         if self.watched.elapsed() < WATCH {
@@ -179,6 +192,7 @@ impl App {
             return;
         }
         self.read = Some(now);
+        self.is_stale = true;
         match self.document.reload() {
             Ok(()) => {
                 self.rebuild();
@@ -229,56 +243,48 @@ impl App {
 
     /// Saves the scene beside its file, or in the current folder, under a name that is free.
     fn save(&mut self) {
+        let stem = self.stem();
         let written = self
             .document
             .text(self.rig.camera())
             .map_err(|error| error.to_string())
-            .and_then(|text| self.write_new("toml", text.as_bytes()));
+            .and_then(|text| self.host.write_new(&stem, "toml", text.as_bytes()));
         self.tell(written);
     }
 
     /// The picture that `whitecap render` makes of this view.
     fn screenshot(&mut self) {
+        let stem = self.stem();
         let Some(shown) = &self.shown else { return };
-        let [width, height] = shown.canvas.size_px();
         let mut scene = self.document.scene().clone();
         scene.camera = self.rig.camera();
-        let request = PictureRequest { backend: None, width, height, time_s: self.clock.time_s() };
-        let picture = render_picture(&shown.canvas.gpu, &scene, &request, &mut |_| {});
-        let bytes = picture
-            .map_err(|error| error.to_string())
-            .and_then(|picture| (self.options.encode)(&picture).map_err(|error| error.to_string()));
-        let written = bytes.and_then(|bytes| self.write_new("png", &bytes));
+        let canvas = &shown.canvas;
+        let written =
+            self.host.write_picture(&stem, &canvas.gpu, &scene, canvas.size_px(), self.clock.time_s());
         self.tell(written);
     }
 
-    /// Writes a file called like the scene, with a number that no file has yet.
-    fn write_new(&self, extension: &str, bytes: &[u8]) -> Result<PathBuf, String> {
-        let stem = Path::new(self.document.origin()).file_stem().unwrap_or_default().to_string_lossy();
-        let free = (1..10_000)
-            .map(|number| PathBuf::from(format!("{stem}-{number:03}.{extension}")))
-            .find(|path| !path.exists());
-        let path = free.ok_or("there are 10,000 files of this name already")?;
-        (self.options.write)(&path, bytes)?;
-        Ok(path)
+    /// What files of this scene are called, without number and extension.
+    fn stem(&self) -> String {
+        Path::new(self.document.origin()).file_stem().unwrap_or_default().to_string_lossy().into_owned()
     }
 
-    fn tell(&mut self, written: Result<PathBuf, String>) {
+    fn tell(&mut self, written: Result<String, String>) {
         match written {
-            Ok(path) => self.news = Some(format!("wrote {}", path.display())),
+            Ok(name) => self.news = Some(format!("wrote {name}")),
             Err(error) => self.error = Some(error),
         }
     }
 
     /// The command that renders this view, once it is saved.
     fn command(&self) -> String {
-        let [width, height] =
-            self.shown.as_ref().map_or(self.options.size_px, |shown| shown.canvas.size_px());
+        let [width, height] = self.shown.as_ref().map_or([1280, 720], |shown| shown.canvas.size_px());
         let scene = self.document.origin();
         format!("whitecap render {scene:?} --time {} --size {width}x{height}", self.clock.time_s())
     }
 
     fn fulfil(&mut self, wishes: Wishes) {
+        self.is_stale |= wishes != Wishes::default();
         if wishes.changed {
             self.rebuild();
         }
@@ -286,15 +292,24 @@ impl App {
             self.open(scene);
         }
         if wishes.copy_command {
-            let command = self.command();
-            if let Some(shown) = &mut self.shown {
-                shown.input.set_clipboard_text(command.clone());
-            }
-            self.news = Some(command);
+            self.copy(self.command());
+        }
+        if wishes.copy_link
+            && let Some(link) = self.link()
+        {
+            self.copy(self.host.address(&link));
         }
         for action in wishes.actions {
             self.act(action);
         }
+    }
+
+    /// Puts a text on the clipboard and shows it.
+    fn copy(&mut self, text: String) {
+        if let Some(shown) = &mut self.shown {
+            self.host.copy(&mut shown.input, &text);
+        }
+        self.news = Some(text);
     }
 
     /// Moves the camera by the keys that are down.
@@ -323,6 +338,7 @@ impl App {
         let now = Instant::now();
         let seconds = now.duration_since(self.last_frame).as_secs_f64();
         self.last_frame = now;
+        self.is_stale = false;
         self.clock.pass(seconds);
         self.move_camera(seconds.min(0.25));
         if self.frames_ms.len() == FRAMES {
@@ -331,6 +347,8 @@ impl App {
         self.frames_ms.push_back(1e3 * seconds as f32);
         let wishes = self.draw();
         self.fulfil(wishes);
+        #[cfg(target_arch = "wasm32")]
+        self.report();
     }
 
     fn draw(&mut self) -> Wishes {
@@ -339,7 +357,10 @@ impl App {
         if shown.canvas.is_empty() {
             return wishes;
         }
-        let Some(texture) = shown.canvas.next() else { return wishes };
+        let Some(texture) = shown.canvas.next() else {
+            self.is_stale = true;
+            return wishes;
+        };
         let size_px = shown.canvas.size_px();
         let gpu = shown.canvas.gpu.clone();
         let target = texture.texture.create_view(&Default::default());
@@ -358,6 +379,9 @@ impl App {
             news: self.news.as_deref(),
         };
         let mut output = context.run_ui(input, |ui| {
+            if self.host.wants_water_alone() {
+                return;
+            }
             if self.has_panel {
                 wishes = panel::show(ui, &mut self.document, &self.rig, &self.clock, &told);
             } else if let Some(error) = told.error {
@@ -367,6 +391,9 @@ impl App {
                 panel::help(ui);
             }
         });
+        let panel = output.viewport_output.get(&egui::ViewportId::ROOT);
+        self.is_stale |= panel.is_some_and(|panel| panel.repaint_delay.is_zero());
+        self.host.speak(&output.platform_output);
         shown.input.handle_platform_output(&shown.canvas.window, output.platform_output);
         let screen = egui_wgpu::ScreenDescriptor {
             size_in_pixels: size_px,
@@ -397,6 +424,7 @@ impl App {
         gpu.queue.submit(buffers);
         shown.canvas.window.pre_present_notify();
         gpu.queue.present(texture);
+        self.host.presented();
         for id in output.textures_delta.free.drain() {
             painter.free_texture(&id);
         }
@@ -439,21 +467,42 @@ impl App {
     }
 }
 
-impl ApplicationHandler for App {
+impl App {
+    fn fail(&mut self, event_loop: &ActiveEventLoop, error: ViewError) {
+        self.host.failed(&error);
+        self.failed = Some(error);
+        event_loop.exit();
+    }
+}
+
+impl ApplicationHandler<Asked> for App {
     fn resumed(&mut self, event_loop: &ActiveEventLoop) {
         if self.shown.is_some() {
             return;
         }
-        match self.open_window(event_loop) {
-            Ok(shown) => self.shown = Some(shown),
-            Err(error) => {
-                self.failed = Some(error);
-                event_loop.exit();
+        if let Err(error) = self.open_window(event_loop) {
+            self.fail(event_loop, error);
+        }
+    }
+
+    fn user_event(&mut self, event_loop: &ActiveEventLoop, asked: Asked) {
+        self.is_stale = true;
+        match asked {
+            Asked::Opened(canvas) => match canvas.and_then(|canvas| self.show_on(canvas)) {
+                Ok(shown) => self.shown = Some(shown),
+                Err(error) => self.fail(event_loop, error),
+            },
+            Asked::Link(fragment) => {
+                if let Err(error) = self.follow(&fragment) {
+                    self.error = Some(error.to_string());
+                }
+                self.host.address_changed();
             }
         }
     }
 
     fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
+        self.is_stale |= event != WindowEvent::RedrawRequested;
         let Some(shown) = &mut self.shown else { return };
         let is_taken = shown.input.on_window_event(&shown.canvas.window, &event).consumed;
         match event {
@@ -490,25 +539,20 @@ impl ApplicationHandler for App {
 
     fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
         self.watch();
+        #[cfg(target_arch = "wasm32")]
+        self.report();
         let Some(shown) = &self.shown else { return };
-        if shown.canvas.is_empty() {
-            // Nothing to draw until the window has a size again.
+        let is_still = self.clock.is_paused() && self.held.is_empty() && !self.is_stale;
+        if is_still || shown.canvas.is_empty() {
+            // Nothing to draw until something changes, the scene's file perhaps, or the window has a size again.
             event_loop.set_control_flow(ControlFlow::WaitUntil(Instant::now() + WATCH));
             return;
         }
-        event_loop.set_control_flow(ControlFlow::Poll);
+        // In a browser the next frame comes when the page is drawn anew.
+        let wait = if cfg!(target_arch = "wasm32") { ControlFlow::Wait } else { ControlFlow::Poll };
+        event_loop.set_control_flow(wait);
         shown.canvas.window.request_redraw();
     }
-}
-
-/// What the window system says, without the line of the library that says it.
-fn reason(error: &winit::error::EventLoopError) -> String {
-    let text = error.to_string();
-    let words = text.rsplit(".rs:").next().unwrap_or(&text);
-    words
-        .trim_start_matches(|c: char| c.is_ascii_digit() || c == ':' || c == ' ')
-        .trim_end_matches('.')
-        .to_owned()
 }
 
 fn title(document: &Document) -> String {

@@ -22,6 +22,24 @@ pub struct KeyPath {
     pub key: String,
 }
 
+impl KeyPath {
+    /// Reads a path as it is displayed; `None` if it is none.
+    fn parse(text: &str) -> Option<KeyPath> {
+        let mut names = text.split('.').map(|name| (!name.is_empty()).then_some(name));
+        let key = names.next_back()??.to_owned();
+        let step = |name: Option<&str>| {
+            let name = name?;
+            match name.split_once('[') {
+                None => Some(Step::Table(name.to_owned())),
+                Some((name, index)) => {
+                    Some(Step::Nth(name.to_owned(), index.strip_suffix(']')?.parse().ok()?))
+                }
+            }
+        };
+        Some(KeyPath { tables: names.map(step).collect::<Option<_>>()?, key })
+    }
+}
+
 /// A table on the way to a key.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Step {
@@ -67,19 +85,32 @@ impl Document {
     ///
     /// As [`whitecap_scene::open`].
     pub fn open(name_or_path: &str) -> Result<Document, SceneError> {
-        let scene = whitecap_scene::open(name_or_path)?;
         let is_named = whitecap_scene::named::find(name_or_path).is_some();
+        let path = (!is_named).then(|| PathBuf::from(name_or_path));
+        Ok(Document::of(whitecap_scene::open(name_or_path)?, name_or_path, path))
+    }
+
+    /// Opens a named scene; a file is none.
+    ///
+    /// # Errors
+    ///
+    /// If there is no such scene.
+    pub fn named(name: &str) -> Result<Document, SceneError> {
+        Ok(Document::of(whitecap_scene::open_named(name)?, name, None))
+    }
+
+    fn of(scene: Scene, origin: &str, path: Option<PathBuf>) -> Document {
         let table = table_of(&scene);
-        Ok(Document {
-            origin: name_or_path.to_owned(),
-            path: (!is_named).then(|| PathBuf::from(name_or_path)),
+        Document {
+            origin: origin.to_owned(),
+            path,
             keys: keys_of(&scene, &table),
             scene,
             opened: table.clone(),
             table,
             undone: Vec::new(),
             refused: None,
-        })
+        }
     }
 
     /// What the user called it.
@@ -133,10 +164,8 @@ impl Document {
         if let Some(word) = word {
             forget_other_kinds(target, path, &word);
         }
-        if path.tables.is_empty() && path.key == "technique" {
-            for technique in whitecap_scene::technique::ALL {
-                table.remove(technique.word);
-            }
+        if path.tables.is_empty() && path.key == TECHNIQUE {
+            forget_techniques(&mut table);
         }
         match self.take(table) {
             Ok(()) => true,
@@ -160,6 +189,43 @@ impl Document {
         self.keys = keys_of(&scene, &before);
         (self.scene, self.table, self.refused) = (scene, before, None);
         true
+    }
+
+    /// What differs from the scene as it was opened, by the keys' paths; without a value the key is left out.
+    pub fn changes(&self) -> Vec<(String, Option<Value>)> {
+        let mut changes = Vec::new();
+        // Another technique has other keys, whose defaults go without saying.
+        let technique = self.opened.get(TECHNIQUE) != self.table.get(TECHNIQUE);
+        compare("", &self.opened, &self.table, &mut |path, value| {
+            let root = path.split('.').next().unwrap_or(path);
+            let is_of_technique = whitecap_scene::technique::ALL.iter().any(|one| one.word == root);
+            if !(technique && is_of_technique && value.is_none()) {
+                changes.push((path.to_owned(), value.cloned()));
+            }
+        });
+        changes
+    }
+
+    /// Makes changes all at once, as [`Document::changes`] tells them.
+    ///
+    /// # Errors
+    ///
+    /// If a path leads nowhere, or the checker refuses what comes of them; then nothing has changed.
+    pub fn change(&mut self, changes: &[(String, Option<Value>)]) -> Result<(), SceneError> {
+        let mut table = self.table.clone();
+        if changes.iter().any(|(path, _)| path == TECHNIQUE) {
+            forget_techniques(&mut table);
+        }
+        for (path, value) in changes {
+            let nowhere = || SceneError::about_file(&self.origin, format!("{path} is no key of this scene"));
+            let key: KeyPath = KeyPath::parse(path).ok_or_else(nowhere)?;
+            let target = inside_mut(&mut table, &key.tables).ok_or_else(nowhere)?;
+            match value {
+                Some(value) => target.insert(key.key, value.clone()),
+                None => target.remove(&key.key),
+            };
+        }
+        if changes.is_empty() { Ok(()) } else { self.take(table) }
     }
 
     fn take(&mut self, table: Table) -> Result<(), SceneError> {
@@ -196,6 +262,40 @@ impl Document {
     /// If a scene file cannot say it.
     pub fn text(&self, camera: Camera) -> Result<String, SceneError> {
         Scene { camera, ..self.scene.clone() }.to_toml()
+    }
+}
+
+/// The key that says how the water is drawn.
+const TECHNIQUE: &str = "technique";
+
+/// Leaves out what only some technique has.
+fn forget_techniques(table: &mut Table) {
+    for technique in whitecap_scene::technique::ALL {
+        table.remove(technique.word);
+    }
+}
+
+/// Tells every key whose value differs, by its path; `None` where only `old` has it.
+fn compare(within: &str, old: &Table, new: &Table, differs: &mut dyn FnMut(&str, Option<&Value>)) {
+    let path = |key: &str| if within.is_empty() { key.to_owned() } else { format!("{within}.{key}") };
+    for (key, value) in new {
+        match (old.get(key), value) {
+            (Some(Value::Table(old)), Value::Table(new)) => compare(&path(key), old, new, differs),
+            (Some(Value::Array(old)), Value::Array(new))
+                if old.len() == new.len() && new.iter().all(Value::is_table) =>
+            {
+                for (i, pair) in old.iter().zip(new).enumerate() {
+                    if let (Value::Table(old), Value::Table(new)) = pair {
+                        compare(&format!("{}[{i}]", path(key)), old, new, differs);
+                    }
+                }
+            }
+            (Some(old), new) if old == new => {}
+            _ => differs(&path(key), Some(value)),
+        }
+    }
+    for key in old.keys().filter(|key| !new.contains_key(*key)) {
+        differs(&path(key), None);
     }
 }
 

@@ -4,7 +4,7 @@ use crate::ViewError;
 use std::sync::Arc;
 use whitecap_render::Gpu;
 use winit::dpi::PhysicalSize;
-use winit::event_loop::ActiveEventLoop;
+use winit::event_loop::OwnedDisplayHandle;
 use winit::window::Window;
 
 /// A window and the surface in it.
@@ -18,19 +18,19 @@ pub(crate) struct Canvas {
 }
 
 impl Canvas {
-    /// Opens a device that can show on the window.
-    pub(crate) fn new(
-        event_loop: &ActiveEventLoop,
+    /// Opens a device that can show on the window: in a browser later, elsewhere without waiting.
+    pub(crate) async fn new(
+        display: OwnedDisplayHandle,
         window: Window,
-        adapter: Option<&str>,
+        adapter: Option<String>,
     ) -> Result<Canvas, ViewError> {
         let window = Arc::new(window);
-        let display = Box::new(event_loop.owned_display_handle());
+        let display = Box::new(display);
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_with_display_handle(display));
         let surface = instance
             .create_surface(Arc::clone(&window))
             .map_err(|error| ViewError::Window(error.to_string()))?;
-        let (gpu, adapter) = Gpu::open_showing(&instance, &surface, adapter)?;
+        let (gpu, adapter) = Gpu::open_showing(&instance, &surface, adapter.as_deref()).await?;
         let PhysicalSize { width, height } = window.inner_size();
         let mut config = surface
             .get_default_config(&adapter, width.max(1), height.max(1))

@@ -1,9 +1,9 @@
 //! A cube map with mips that are prefiltered for reflection in a rough surface.
 
 use super::{SUN_RADIUS_RAD, Sun, display_from_linear};
+use crate::threads::*;
 use glam::{Vec2, Vec3};
 use half::f16;
-use rayon::prelude::*;
 
 /// Texels along a face's edge: 0.18° each, a third of the sun's disc.
 pub const FACE_SIZE: u32 = 512;

@@ -28,7 +28,8 @@ impl AdapterDescription {
             wgpu::DeviceType::Other => "other",
         };
         AdapterDescription {
-            name: info.name,
+            // Browsers may keep it to themselves.
+            name: if info.name.is_empty() { "a graphics device".to_owned() } else { info.name },
             backend: info.backend.to_str().to_owned(),
             device_type: device_type.to_owned(),
             driver: format!("{} {}", info.driver, info.driver_info).trim().to_owned(),
@@ -60,13 +61,17 @@ impl AdapterDescription {
 
 impl std::fmt::Display for AdapterDescription {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} ({}, {}, {})", self.name, self.backend, self.device_type, self.driver)
+        let about = [&self.backend, &self.device_type, &self.driver].map(String::as_str);
+        let told: Vec<&str> = about.into_iter().filter(|word| !word.is_empty()).collect();
+        write!(f, "{} ({})", self.name, told.join(", "))
     }
 }
 
 /// Every adapter of the machine, the one that [`super::Gpu::open`] takes by default first.
+#[cfg(not(target_arch = "wasm32"))]
 pub fn list_adapters() -> Vec<AdapterDescription> {
-    BACKENDS.iter().flat_map(|backends| enumerate(*backends)).map(|(_, description)| description).collect()
+    let lists = BACKENDS.iter().flat_map(|backends| pollster::block_on(enumerate(*backends)));
+    lists.map(|(_, description)| description).collect()
 }
 
 /// OpenGL is asked last and only where the others have nothing to offer: looking for it loads a second
@@ -76,32 +81,33 @@ const BACKENDS: [wgpu::Backends; 2] = [wgpu::Backends::PRIMARY, wgpu::Backends::
 /// An adapter and what it is called.
 type Described = (wgpu::Adapter, AdapterDescription);
 
-pub(super) fn choose(wanted: Option<&str>) -> Result<Described, RenderError> {
-    first(BACKENDS.iter().map(|backends| enumerate(*backends)), wanted)
+#[cfg(not(target_arch = "wasm32"))]
+pub(super) async fn choose(wanted: Option<&str>) -> Result<Described, RenderError> {
+    first(enumerate, wanted).await
 }
 
 /// As [`choose`], of one instance, among those that can show on `surface`.
-pub(super) fn choose_showing(
+pub(super) async fn choose_showing(
     instance: &wgpu::Instance,
     surface: &wgpu::Surface<'_>,
     wanted: Option<&str>,
 ) -> Result<Described, RenderError> {
-    let showing = |backends: &wgpu::Backends| {
-        let mut found = enumerate_of(instance, *backends);
+    let showing = async |backends| {
+        let mut found = enumerate_of(instance, backends).await;
         found.retain(|(adapter, _)| adapter.is_surface_supported(surface));
         found
     };
-    first(BACKENDS.iter().map(showing), wanted)
+    first(showing, wanted).await
 }
 
 /// The first that is wanted, of lists that are made one after the other as they are needed.
-fn first(
-    lists: impl Iterator<Item = Vec<Described>>,
+async fn first(
+    list: impl AsyncFn(wgpu::Backends) -> Vec<Described>,
     wanted: Option<&str>,
 ) -> Result<Described, RenderError> {
     let mut seen = Vec::new();
-    for list in lists {
-        for (adapter, description) in list {
+    for backends in BACKENDS {
+        for (adapter, description) in list(backends).await {
             if wanted.is_none_or(|wanted| description.matches(wanted)) {
                 return Ok((adapter, description));
             }
@@ -112,6 +118,7 @@ fn first(
         Some(wanted) if !seen.is_empty() => {
             Err(RenderError::NoSuchAdapter { wanted: wanted.to_owned(), available: seen.join(", ") })
         }
+        _ if cfg!(target_arch = "wasm32") => Err(RenderError::NoAdapterInBrowser),
         _ => Err(RenderError::NoAdapter { looked_for: "Vulkan, Metal, Direct3D 12, OpenGL".into() }),
     }
 }
@@ -131,14 +138,15 @@ pub(super) fn limits(adapter: &wgpu::Adapter) -> wgpu::Limits {
 }
 
 /// The adapters of some backends, the best first.
-fn enumerate(backends: wgpu::Backends) -> Vec<Described> {
+#[cfg(not(target_arch = "wasm32"))]
+async fn enumerate(backends: wgpu::Backends) -> Vec<Described> {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
     descriptor.backends = backends;
-    enumerate_of(&wgpu::Instance::new(descriptor), backends)
+    enumerate_of(&wgpu::Instance::new(descriptor), backends).await
 }
 
-fn enumerate_of(instance: &wgpu::Instance, backends: wgpu::Backends) -> Vec<Described> {
-    let adapters = pollster::block_on(instance.enumerate_adapters(backends));
+async fn enumerate_of(instance: &wgpu::Instance, backends: wgpu::Backends) -> Vec<Described> {
+    let adapters = instance.enumerate_adapters(backends).await;
     let mut found: Vec<_> = adapters
         .into_iter()
         .map(|adapter| {

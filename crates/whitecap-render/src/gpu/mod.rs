@@ -4,11 +4,14 @@
 
 mod adapter;
 mod error;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod for_tests;
 mod read_back;
 pub(crate) mod resources;
 
-pub use adapter::{AdapterDescription, list_adapters};
+pub use adapter::AdapterDescription;
+#[cfg(not(target_arch = "wasm32"))]
+pub use adapter::list_adapters;
 pub use error::{RenderError, checked};
 pub use read_back::{read_buffer, read_level, read_texture};
 
@@ -37,26 +40,31 @@ impl Gpu {
     ///
     /// [`RenderError::NoAdapter`] when the machine has none, [`RenderError::NoSuchAdapter`] when none
     /// matches `wanted`, [`RenderError::Device`] when the driver refuses a device.
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn open(wanted: Option<&str>) -> Result<Gpu, RenderError> {
-        let (adapter, description) = adapter::choose(wanted)?;
-        Gpu::of(&adapter, description)
+        pollster::block_on(async {
+            let (adapter, description) = adapter::choose(wanted).await?;
+            Gpu::of(&adapter, description).await
+        })
     }
 
-    /// As [`Gpu::open`], but one of `instance`'s adapters that can show on `surface`, and the adapter itself.
+    /// Opens one of `instance`'s adapters that can show on `surface`, the best, or the best whose name, backend or driver
+    /// contains `wanted`, and gives the adapter itself too. In a browser it takes its time; elsewhere it never waits.
     ///
     /// # Errors
     ///
-    /// As [`Gpu::open`].
-    pub fn open_showing(
+    /// [`RenderError::NoAdapter`] or [`RenderError::NoAdapterInBrowser`] when there is none,
+    /// [`RenderError::NoSuchAdapter`] when none matches `wanted`, [`RenderError::Device`] when the driver refuses a device.
+    pub async fn open_showing(
         instance: &wgpu::Instance,
         surface: &wgpu::Surface<'_>,
         wanted: Option<&str>,
     ) -> Result<(Gpu, wgpu::Adapter), RenderError> {
-        let (adapter, description) = adapter::choose_showing(instance, surface, wanted)?;
-        Ok((Gpu::of(&adapter, description)?, adapter))
+        let (adapter, description) = adapter::choose_showing(instance, surface, wanted).await?;
+        Ok((Gpu::of(&adapter, description).await?, adapter))
     }
 
-    fn of(adapter: &wgpu::Adapter, description: AdapterDescription) -> Result<Gpu, RenderError> {
+    async fn of(adapter: &wgpu::Adapter, description: AdapterDescription) -> Result<Gpu, RenderError> {
         let limits = adapter::limits(adapter);
         let request = adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("whitecap"),
@@ -64,7 +72,8 @@ impl Gpu {
             required_limits: limits,
             ..Default::default()
         });
-        let (device, queue) = pollster::block_on(request)
+        let (device, queue) = request
+            .await
             .map_err(|e| RenderError::Device { adapter: description.name.clone(), reason: e.to_string() })?;
 
         let fault = Arc::new(OnceLock::new());

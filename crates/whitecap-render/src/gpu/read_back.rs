@@ -9,7 +9,7 @@ use super::RenderError;
 /// # Errors
 ///
 /// [`RenderError::DeviceLost`] when the device does not answer; [`RenderError::Unsupported`] for a
-/// compressed texture or one with a stencil.
+/// compressed texture or one with a stencil, and in a browser, where nothing waits.
 pub fn read_texture(
     device: &wgpu::Device,
     queue: &wgpu::Queue,
@@ -65,7 +65,7 @@ pub fn read_level(
 ///
 /// # Errors
 ///
-/// [`RenderError::DeviceLost`] when the device does not answer.
+/// [`RenderError::DeviceLost`] when the device does not answer; [`RenderError::Unsupported`] in a browser.
 pub fn read_buffer(
     device: &wgpu::Device,
     queue: &wgpu::Queue,
@@ -87,6 +87,11 @@ pub fn read_buffer(
 const ANSWER_WITHIN: std::time::Duration = std::time::Duration::from_secs(10);
 
 fn map(device: &wgpu::Device, staging: &wgpu::Buffer) -> Result<Vec<u8>, RenderError> {
+    if cfg!(target_arch = "wasm32") {
+        return Err(RenderError::Unsupported {
+            what: "a way to wait for it, since this is a browser".into(),
+        });
+    }
     let lost = |reason: String| RenderError::DeviceLost { reason };
     let (sender, receiver) = std::sync::mpsc::channel();
     staging.map_async(wgpu::MapMode::Read, .., move |result| {

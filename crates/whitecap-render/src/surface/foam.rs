@@ -3,9 +3,9 @@
 use crate::RenderError;
 use crate::gpu::checked;
 use crate::gpu::resources::{texture_2d, write_level};
+use crate::threads::*;
 use glam::DVec2;
 use half::f16;
-use rayon::prelude::*;
 use whitecap_waves::field::FoamStructure;
 use whitecap_waves::model::spectral::foam::{Foam, FoamLevel};
 

@@ -1,7 +1,7 @@
 //! The levels of a normal map and what they average away, on the processor.
 
+use crate::threads::*;
 use half::f16;
-use rayon::prelude::*;
 use whitecap_waves::model::TileFields;
 
 /// Steeper than this (80°) a folded crest is not shaded: its normal would point under the water.

@@ -4,9 +4,9 @@ use super::backend::{Backend, evolved_on_device};
 use super::compute::SpectralMaps;
 use super::normal_level::NormalLevel;
 use crate::gpu::resources::{buffer, texture_2d, write_level};
+use crate::threads::*;
 use crate::{RenderError, gpu::checked};
 use glam::DVec2;
-use rayon::prelude::*;
 use wgpu::{TextureFormat, TextureUsages};
 use whitecap_waves::model::{TileFields, WaveModel};
 

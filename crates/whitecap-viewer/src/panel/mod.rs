@@ -11,7 +11,7 @@ use whitecap_scene::named;
 use whitecap_scene::reference::KeyDoc;
 
 /// What somebody asked for on the panel.
-#[derive(Debug, Default)]
+#[derive(Debug, Default, PartialEq)]
 pub(crate) struct Wishes {
     /// The scene has other settings now.
     pub(crate) changed: bool,
@@ -19,6 +19,8 @@ pub(crate) struct Wishes {
     pub(crate) open: Option<String>,
     /// The command of this view, on the clipboard.
     pub(crate) copy_command: bool,
+    /// The address of this view, on the clipboard.
+    pub(crate) copy_link: bool,
     /// What keys do as well.
     pub(crate) actions: Vec<Action>,
 }
@@ -46,7 +48,7 @@ pub(crate) fn show(
     told: &Told<'_>,
 ) -> Wishes {
     let mut wishes = Wishes::default();
-    egui::Panel::right("settings").exact_size(PANEL_WIDTH).show(ui, |ui| {
+    egui::Panel::right("settings").exact_size(PANEL_WIDTH).show_separator_line(false).show(ui, |ui| {
         head(ui, document, &mut wishes);
         ui.separator();
         time_and_camera(ui, rig, clock, &mut wishes);
@@ -94,6 +96,10 @@ fn head(ui: &mut Ui, document: &Document, wishes: &mut Wishes) {
             .button("Copy command")
             .on_hover_text("The `whitecap render` that makes this picture")
             .clicked();
+        if cfg!(target_arch = "wasm32") {
+            let link = ui.button("Copy link").on_hover_text("The address of this view, changes included");
+            wishes.copy_link |= link.clicked();
+        }
     });
 }
 
@@ -177,7 +183,7 @@ fn row(ui: &mut Ui, document: &mut Document, path: &KeyPath, doc: &KeyDoc) -> bo
                 "{}\n\naccepted: {}\nleft out: {}",
                 doc.doc, doc.accepts, doc.when_absent
             ));
-            if is_new && ui.small_button("⟲").on_hover_text("As it was when the scene was opened").clicked()
+            if is_new && ui.small_button("↺").on_hover_text("As it was when the scene was opened").clicked()
             {
                 changed |= document.reset(path);
             }

@@ -82,11 +82,11 @@ pub(crate) fn one_by_one(
 ) -> Result<Vec<SurfacePoint>, QueryError> {
     check(places_m, time_s)?;
     let answer = |&place_m: &DVec2| surface.sample(rest_under(surface, place_m, time_s), time_s);
-    #[cfg(feature = "parallel")]
+    #[cfg(all(feature = "parallel", not(target_arch = "wasm32")))]
     {
         use rayon::prelude::*;
         Ok(places_m.par_iter().with_min_len(16).map(answer).collect())
     }
-    #[cfg(not(feature = "parallel"))]
+    #[cfg(not(all(feature = "parallel", not(target_arch = "wasm32"))))]
     Ok(places_m.iter().map(answer).collect())
 }

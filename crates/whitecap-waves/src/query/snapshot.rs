@@ -96,12 +96,12 @@ impl Snapshot {
     /// If a place is not finite.
     pub fn query(&self, places_m: &[DVec2]) -> Result<Vec<SurfacePoint>, QueryError> {
         check(places_m, 0.0)?;
-        #[cfg(feature = "parallel")]
+        #[cfg(all(feature = "parallel", not(target_arch = "wasm32")))]
         {
             use rayon::prelude::*;
             Ok(places_m.par_iter().with_min_len(256).map(|place| self.over(*place)).collect())
         }
-        #[cfg(not(feature = "parallel"))]
+        #[cfg(not(all(feature = "parallel", not(target_arch = "wasm32"))))]
         Ok(places_m.iter().map(|place| self.over(*place)).collect())
     }
 

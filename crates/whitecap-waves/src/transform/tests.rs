@@ -74,7 +74,7 @@ fn used_memory_leaves_no_trace() {
     assert_eq!(first, second);
 }
 
-#[cfg(feature = "parallel")]
+#[cfg(all(feature = "parallel", not(target_arch = "wasm32")))]
 #[test]
 fn every_number_of_threads_gives_the_same_bits() {
     let n = 256;

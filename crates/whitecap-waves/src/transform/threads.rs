@@ -1,13 +1,13 @@
 //! Sharing out a slice among threads, each with working memory of its own.
 
 /// Tiles below this many samples a side are done before a second thread has woken up.
-#[cfg(feature = "parallel")]
+#[cfg(all(feature = "parallel", not(target_arch = "wasm32")))]
 const SMALLEST_SHARED_TILE: usize = 128;
 
 /// How many workers a tile of `n` samples a side is shared among: with the feature `parallel` the threads of
 /// the current rayon pool, otherwise one.
 pub(crate) fn thread_count(n: usize) -> usize {
-    #[cfg(feature = "parallel")]
+    #[cfg(all(feature = "parallel", not(target_arch = "wasm32")))]
     if n >= SMALLEST_SHARED_TILE {
         return rayon::current_num_threads().min(n / 16);
     }
@@ -31,7 +31,7 @@ pub(crate) fn for_each_run<T: Send, W: Send>(
             work(share * runs_per_worker + i, run, worker);
         }
     };
-    #[cfg(feature = "parallel")]
+    #[cfg(all(feature = "parallel", not(target_arch = "wasm32")))]
     if workers.len() > 1 {
         use rayon::prelude::*;
         let shares = items.par_chunks_mut(runs_per_worker * run_len);

@@ -162,11 +162,11 @@ fn each<F>(cascades: &[Cascade], tile: F) -> Result<Vec<SpectralTile>, Parameter
 where
     F: Fn((usize, &Cascade)) -> Result<SpectralTile, ParameterError> + Send + Sync,
 {
-    #[cfg(feature = "parallel")]
+    #[cfg(all(feature = "parallel", not(target_arch = "wasm32")))]
     {
         use rayon::prelude::*;
         cascades.par_iter().enumerate().map(tile).collect()
     }
-    #[cfg(not(feature = "parallel"))]
+    #[cfg(not(all(feature = "parallel", not(target_arch = "wasm32"))))]
     cascades.iter().enumerate().map(tile).collect()
 }

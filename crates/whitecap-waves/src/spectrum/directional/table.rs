@@ -102,11 +102,11 @@ impl Table {
 
 /// A row for each of the knots, on as many threads as there are.
 fn rows(knots: u32, at: impl Fn(u32) -> Row + Send + Sync) -> Vec<Row> {
-    #[cfg(feature = "parallel")]
+    #[cfg(all(feature = "parallel", not(target_arch = "wasm32")))]
     {
         use rayon::prelude::*;
         (0..knots).into_par_iter().with_min_len(64).map(at).collect()
     }
-    #[cfg(not(feature = "parallel"))]
+    #[cfg(not(all(feature = "parallel", not(target_arch = "wasm32"))))]
     (0..knots).map(at).collect()
 }
