@@ -103,8 +103,7 @@ pub(crate) struct ViewSlots<T> {
 }
 
 impl<T: bytemuck::Pod> ViewSlots<T> {
-    const FITS: () = assert!(size_of::<T>() <= 2 * SLOT_BYTES, "a slot is two alignments wide");
-    const STRIDE: usize = if size_of::<T>() <= SLOT_BYTES { SLOT_BYTES } else { 2 * SLOT_BYTES };
+    const STRIDE: usize = size_of::<T>().next_multiple_of(SLOT_BYTES);
 
     /// A slot for each view.
     pub(crate) fn new(device: &wgpu::Device, label: &str) -> Self {
@@ -113,7 +112,6 @@ impl<T: bytemuck::Pod> ViewSlots<T> {
 
     /// Any number of slots, for uniforms of which a view has several.
     pub(crate) fn with_slots(device: &wgpu::Device, label: &str, slots: usize) -> Self {
-        let () = Self::FITS;
         let buffer = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some(label),
             size: (slots.max(1) * Self::STRIDE) as u64,
