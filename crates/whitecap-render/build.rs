@@ -51,6 +51,7 @@ const ROOTS: &[(&str, &str, &[&str])] = &[
     ("package::shader_lib::optics_twins", "optics_twins", &[]),
     ("package::shader_lib::sines_twins", "sines_twins", &[]),
     ("package::shader_lib::foam_twins", "foam_twins", &[]),
+    ("package::shader_lib::patchwork_twins", "patchwork_twins", &[]),
 ];
 
 fn main() {

@@ -169,7 +169,7 @@ impl<'a> Pictures<'a> {
         target: &TargetFormat,
         progress: &mut dyn FnMut(Stage),
     ) -> Result<&mut SetUp, RenderError> {
-        let (device, queue) = (&self.gpu.device, &self.gpu.queue);
+        let (device, queue, view) = (&self.gpu.device, &self.gpu.queue, self.view());
         let aux = self.expects_aux && *target == layers::TARGET && self.scene.technique.is_scene_linear();
         let serves = |set_up: &SetUp| set_up.target == *target && (set_up.aux || !aux);
         let left = self.set_up.take().filter(serves);
@@ -191,7 +191,7 @@ impl<'a> Pictures<'a> {
                 let attachments = checked(device, "a picture of this size", || {
                     Ok(Attachments::new(device, &self.request, target))
                 })?;
-                let exposure = environment.light.as_ref().map(|light| light.exposure);
+                let exposure = environment.light.as_ref().map(|light| light.exposure_of(&view));
                 SetUp { water, attachments, exposure, target: *target, aux }
             }
         };

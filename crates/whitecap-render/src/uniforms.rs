@@ -1,6 +1,6 @@
 //! What every pass is told: the view, and the light around.
 
-use crate::environment::{CubeMap, Environment, FACE_SIZE, SUN_RADIUS_RAD, display_from_linear};
+use crate::environment::{CubeMap, Environment, FACE_SIZE, Meter, SUN_RADIUS_RAD, display_from_linear};
 use crate::gpu::resources::{bind_group, buffer};
 use crate::pass::{Around, Skies, sky_layout_entries};
 use crate::{RenderError, TargetFormat, View};
@@ -23,6 +23,8 @@ pub(crate) struct GpuView {
     pub(crate) stores: u32,
     pub(crate) most_radiance: f32,
     pub(crate) clip_plane: [f32; 4],
+    pub(crate) exposure_gain: f32,
+    pub(crate) end: [u32; 3],
 }
 
 /// What a view of the scene is for. All of a view's roles share its eye, so that what lies in the world is placed
@@ -79,6 +81,8 @@ impl GpuView {
             stores: target.stores() as u32,
             most_radiance: target.most_radiance(),
             clip_plane: role.clip_plane(plane_m, margin_m).to_array(),
+            exposure_gain: 1.0,
+            end: [0; 3],
         }
     }
 }
@@ -103,8 +107,7 @@ pub(crate) struct ViewSlots<T> {
 }
 
 impl<T: bytemuck::Pod> ViewSlots<T> {
-    const FITS: () = assert!(size_of::<T>() <= 2 * SLOT_BYTES, "a slot is two alignments wide");
-    const STRIDE: usize = if size_of::<T>() <= SLOT_BYTES { SLOT_BYTES } else { 2 * SLOT_BYTES };
+    const STRIDE: usize = size_of::<T>().next_multiple_of(SLOT_BYTES);
 
     /// A slot for each view.
     pub(crate) fn new(device: &wgpu::Device, label: &str) -> Self {
@@ -113,7 +116,6 @@ impl<T: bytemuck::Pod> ViewSlots<T> {
 
     /// Any number of slots, for uniforms of which a view has several.
     pub(crate) fn with_slots(device: &wgpu::Device, label: &str, slots: usize) -> Self {
-        let () = Self::FITS;
         let buffer = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some(label),
             size: (slots.max(1) * Self::STRIDE) as u64,
@@ -163,6 +165,8 @@ pub(crate) struct Shared {
     pub(crate) environment_group: wgpu::BindGroup,
     /// Each view's group 1 in place of that one, where the light is linear.
     pub(crate) skies: Option<Skies>,
+    /// What exposes each view, where that is left to it.
+    meter: Option<Meter>,
 }
 
 impl Shared {
@@ -212,7 +216,8 @@ impl Shared {
             }
             None => (None, bind_group(device, "environment", &environment_layout, around.resources())),
         };
-        Shared { target, views, view_layout, view_group, environment_layout, environment_group, skies }
+        let meter = environment.light.as_ref().and_then(|light| light.meter);
+        Shared { target, views, view_layout, view_group, environment_layout, environment_group, skies, meter }
     }
 
     pub(crate) fn write_views(&self, queue: &wgpu::Queue, views: &[View]) -> Result<(), RenderError> {
@@ -239,7 +244,8 @@ impl Shared {
         target: &TargetFormat,
         margin_m: f32,
     ) {
-        let value = GpuView::new(view, target, role, -view.eye_m.y as f32, margin_m);
+        let mut value = GpuView::new(view, target, role, -view.eye_m.y as f32, margin_m);
+        value.exposure_gain = self.meter.map_or(1.0, |meter| meter.gain(view));
         self.views.write(queue, role as usize * MAX_VIEWS + index, &value);
     }
 
@@ -356,7 +362,8 @@ mod tests {
                 far_depth,
                 stores,
                 most_radiance,
-                clip_plane
+                clip_plane,
+                exposure_gain
             ]
         );
         assert_layout!(GpuSun, shader_lib::SKY.wgsl, "GpuSun", [toward, radius_rad, display, skylight]);

@@ -24,7 +24,7 @@ table! {
     pub struct Picture {
         /// The exposure value at ISO 100: a sunlit scene has 15, one stop more halves the light.
         exposure_ev100: Option<f64> =
-            optional(Real { unit: "EV", min: -10.0, max: 30.0 }, "follows from the light that falls on the sea");
+            optional(Real { unit: "EV", min: -10.0, max: 30.0 }, "follows from the light that falls on the sea and where the view looks");
         /// How light is brought into a display's range.
         tone_map: ToneMap = or(OneOf::WORDS, ToneMap::Agx);
     }

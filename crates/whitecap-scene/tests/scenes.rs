@@ -71,7 +71,7 @@ fn a_scene_says_what_its_file_says() {
                     small_wave_cutoff_m: 0.0,
                 })],
             }),
-            tiling: Tiling { cascades: 1, resolution: 64, shortest_wave_m: 0.1 },
+            tiling: Tiling { cascades: 1, resolution: 64, shortest_wave_m: 0.1, sewn: 0 },
         },
         sky: Sky::Atmosphere(Atmosphere { sun_azimuth_deg: 255.0, ..Atmosphere::default() }),
         picture: Picture::default(),

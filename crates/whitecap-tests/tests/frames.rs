@@ -135,7 +135,7 @@ fn several_views_in_one_frame_equal_each_alone() {
 fn a_thousand_kilometres_from_the_origin_nothing_trembles() {
     let Some(gpu) = gpu() else { return };
     let target = TargetFormat::default();
-    // Four tiles that have a common multiple, which is also one of the mesh's largest cell.
+    // Four tiles as they are laid out, not sewn, that have a common multiple, which is also one of the mesh's largest cell.
     let ocean = whitecap_scene::named::find("spectral-ocean").unwrap().toml.replacen(
         "[[sea.system]]",
         "cascade = [\n  { tile_size_m = 400.0 },\n  { tile_size_m = 80.0 },\n  { tile_size_m = 16.0 },\n  \

@@ -8,6 +8,7 @@ use glam::{DVec2, DVec3, Vec3, Vec4};
 use whitecap_render::gpu::for_tests::Canvas;
 use whitecap_render::{Gpu, MAX_VIEWS, TargetFormat, View, Water};
 use whitecap_scene::panorama::Panorama;
+use whitecap_scene::sea::SeaSurface;
 use whitecap_scene::{Camera, Scene};
 use whitecap_tests::adapter::gpu;
 use whitecap_waves::model::spectral::Band;
@@ -117,7 +118,7 @@ fn brightness_does_not_depend_on_distance() {
         for doubling in 0..7 {
             let height_m = 4.0 * f64::from(1 << doubling);
             // Few waves are in a near picture, many in a far one.
-            let frames = (30 >> doubling).max(2);
+            let frames = (30 >> doubling).max(5);
             let (mut sum, mut squares, mut count) = (0.0, 0.0, 0.0);
             for frame in 0..frames {
                 let views: Vec<View> = (0..MAX_VIEWS)
@@ -234,6 +235,83 @@ fn the_horizon_lies_where_the_earth_curves_away() {
                 (dip / expected - 1.0).abs() < 0.01,
                 "{radius_km} km from {height_m} m: {dip}, {expected}"
             );
+        }
+    }
+}
+
+/// From the height of a hill, a mountain and an airliner, straight down on a sea of wind and swell under the sun: what a picture
+/// shows is not to be found again a tile further, for any tile of which it holds two.
+#[test]
+fn no_tile_is_seen_to_repeat() {
+    let Some(gpu) = gpu() else { return };
+    const SIDE: usize = 320;
+    const FOV_DEG: f64 = 50.0;
+    for height_m in [1000.0, 3000.0, 10_000.0] {
+        let text = format!(
+            "technique = \"spectral-ocean\"\nseed = 6\n\
+             [[sea.system]]\nspectrum = \"elfouhaily\"\nwind_speed_mps = 11.0\nfrom_deg = 300.0\n\
+             spreading = \"elfouhaily\"\n\
+             [[sea.system]]\nspectrum = \"jonswap\"\nsignificant_height_m = 1.8\npeak_period_s = 12.0\ngamma = 5.0\n\
+             from_deg = 340.0\nspreading = {{ cos2s = 40.0 }}\n\
+             [sky]\nkind = \"atmosphere\"\nsun_elevation_deg = 40.0\n\
+             [camera]\nposition_m = [0.0, {height_m:?}, 0.0]\nlook_at_m = [1.0, 0.0, 0.0]\n"
+        );
+        let scene = Scene::from_toml(&text, "above.toml").unwrap();
+        let SeaSurface::Spectral(sea) = scene.sea.build(scene.seed).unwrap() else { panic!() };
+        let mut water = Water::new(&gpu.device, &gpu.queue, &scene, TARGET).unwrap();
+        let size = [SIDE as u32; 2];
+        let pictures: Vec<Vec<f64>> = (0..3)
+            .flat_map(|frame| {
+                let above = |i: usize| {
+                    let at = 20.0 * place(MAX_VIEWS * frame + i);
+                    look(DVec3::new(at.x, height_m, at.y), DVec3::NEG_Y, FOV_DEG, size)
+                };
+                let views: Vec<View> = (0..MAX_VIEWS).map(above).collect();
+                radiances(gpu, &mut water, size, &views, 60.0 * frame as f64)
+            })
+            .map(|picture| picture.into_iter().map(|light| light.unwrap().ln()).collect())
+            .collect();
+        // What all have in common is the view's: the sun's glitter, the air.
+        let common: Vec<f64> = (0..SIDE * SIDE)
+            .map(|i| pictures.iter().map(|picture| picture[i]).sum::<f64>() / pictures.len() as f64)
+            .collect();
+        let per_m = SIDE as f64 / (2.0 * height_m * (0.5 * FOV_DEG).to_radians().tan());
+        for cascade in &sea.parameters().cascades {
+            let lag = cascade.tile_size_m * per_m;
+            for (x, y) in [(1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, -1.0), (2.0, 0.0), (2.0, -1.0)] {
+                let (x, y) = (lag * x, lag * y);
+                if lag < 8.0 || f64::max(x, y) > 0.6 * SIDE as f64 {
+                    continue;
+                }
+                let mut sums = [0.0; 3];
+                for picture in &pictures {
+                    let at = |column: f64, row: f64| {
+                        let (i, j, t, u) = (column as usize, row as usize, column.fract(), row.fract());
+                        let light = |i: usize, j: usize| picture[j * SIDE + i] - common[j * SIDE + i];
+                        let along = |j: usize| light(i, j) * (1.0 - t) + light(i + 1, j) * t;
+                        along(j) * (1.0 - u) + along(j + 1) * u
+                    };
+                    let margin = 1.0;
+                    let end = SIDE as f64 - 2.0;
+                    for row in (0..SIDE).map(|row| row as f64) {
+                        for column in (0..SIDE).map(|column| column as f64) {
+                            let (there_x, there_y) = (column + x, row + y);
+                            if [column, row, there_x, there_y].iter().all(|at| (margin..end).contains(at)) {
+                                let (here, there) = (at(column, row), at(there_x, there_y));
+                                sums[0] += here * there;
+                                sums[1] += here * here;
+                                sums[2] += there * there;
+                            }
+                        }
+                    }
+                }
+                let alike = sums[0] / (sums[1] * sums[2]).sqrt();
+                println!(
+                    "{height_m} m, tile of {:.1} m, lag ({x:.0}, {y:.0}) pixels: {alike:+.3}",
+                    cascade.tile_size_m
+                );
+                assert!(alike.abs() < 0.1, "{height_m} m, tile of {} m: {alike}", cascade.tile_size_m);
+            }
         }
     }
 }

@@ -1,12 +1,15 @@
 //! Every shader function that has a Rust twin, run on the GPU over the same inputs.
 #![allow(clippy::unwrap_used)] // a test that cannot go on should stop
 
-use glam::{DVec3, Vec2, Vec3};
+use glam::{DVec2, DVec3, Vec2, Vec3};
 use whitecap_render::environment::{display_from_linear, exposed, linear_from_display};
 use whitecap_render::gpu::for_tests::compute;
-use whitecap_render::shader_lib;
+use whitecap_render::shader_lib::{self, GpuPatchwork};
 use whitecap_render::technique::meshuggah::normals::{bump_frame, world_from_bump};
 use whitecap_tests::adapter::gpu;
+use whitecap_waves::model::spectral::{
+    Amplitudes, Cascade, Patch, SpectralSea, SpectralSeaParameters, Water as Moved,
+};
 use whitecap_waves::optics::{
     WATER_REFRACTIVE_INDEX, curvature_drop_m, exposure_split, foam_cover, foam_drawn, foam_radiance,
     foam_rank, fresnel_exact, fresnel_jensen_golias, tone_map_aces, tone_map_agx, tone_map_pbr_neutral,
@@ -134,4 +137,59 @@ fn golden_numbers_on_the_gpu() {
         assert_near(output[0][1], *integer, "integer part");
         assert_near(output[0][2], *fraction, "fraction");
     }
+}
+
+/// Near the origin, and a thousand kilometres from it.
+#[test]
+fn patches_on_the_gpu_are_the_cpus() {
+    let Some(gpu) = gpu() else { return };
+    let flat: [&dyn whitecap_waves::spectrum::WaveSpectrum; 0] = [];
+    let parameters = SpectralSeaParameters {
+        cascades: Cascade::split(&[(1510.0, 16), (39.7, 16)]),
+        choppiness: 1.0,
+        water: Moved::STILL,
+        seed: 0x1234_5678_9abc,
+        amplitudes: Amplitudes::Deterministic,
+    };
+    let sea = SpectralSea::new(parameters, &flat).unwrap();
+    assert_eq!(sea.patchwork(0), None);
+    let sea = sea.sewn(2);
+    for (tile, eye_m) in [(0, DVec2::ZERO), (0, DVec2::new(-1e6, 3e5)), (1, DVec2::new(-77.0, 1e6))] {
+        let patchwork = sea.patchwork(tile).unwrap();
+        let uniform: [u32; 12] = bytemuck::cast(GpuPatchwork::new(Some(patchwork), eye_m));
+        let rests: Vec<DVec2> = (0..4000)
+            .map(|i| {
+                let i = f64::from(i);
+                let within = DVec2::new((0.754_877_666 * i).fract() - 0.5, (0.569_840_291 * i).fract() - 0.5);
+                (4e3 * within).as_vec2().as_dvec2()
+            })
+            .collect();
+        let input = |rest: &DVec2| {
+            let mut words = [0; 16];
+            words[..12].copy_from_slice(&uniform);
+            words[12..14].copy_from_slice(&rest.as_vec2().to_array().map(f32::to_bits));
+            words
+        };
+        let inputs: Vec<[u32; 16]> = rests.iter().map(input).collect();
+        let outputs: Vec<[[f32; 4]; 3]> = compute(gpu, &shader_lib::PATCHWORK_TWINS, "cs_patches", &inputs);
+        for (rest, [shifts, third, weights]) in rests.iter().zip(&outputs) {
+            let seen = [[shifts[0], shifts[1]], [shifts[2], shifts[3]], [third[0], third[1]]];
+            for Patch { shift, weight, .. } in patchwork.patches_at(eye_m + *rest) {
+                // Where rounding takes a place over an edge, the corner that changes counts for nothing.
+                if weight < 1e-6 {
+                    continue;
+                }
+                let of_copy = |(seen, seen_weight): (&[f32; 2], &f32)| {
+                    let apart = DVec2::new(seen[0].into(), seen[1].into()) - shift;
+                    apart.length() < 1e-6 && (f64::from(*seen_weight) - weight).abs() < 2e-4
+                };
+                assert!(
+                    seen.iter().zip(weights).any(of_copy),
+                    "tile {tile} at {eye_m} + {rest}: {seen:?} {weights:?}, not {shift} {weight}"
+                );
+            }
+        }
+    }
+    let as_it_is: [u32; 12] = bytemuck::cast(GpuPatchwork::new(None, DVec2::ONE));
+    assert_eq!(as_it_is, [0; 12]);
 }

@@ -1,5 +1,7 @@
 //! The light around in the scene's own measure, for techniques that draw in linear light.
 
+use super::exposure::Meter;
+use crate::View;
 use glam::Vec3;
 use whitecap_scene::ToneMap;
 use whitecap_waves::optics::atmosphere::{Atmosphere, Sky};
@@ -18,12 +20,22 @@ pub struct Light {
     pub sun: Option<SunLight>,
     /// Illuminance of the sky on a level sea, with clouds and without the sun.
     pub sky_illuminance_klx: Vec3,
-    /// What a radiance of 1 kcd/m² becomes in the linear light of a picture whose white is 1.
+    /// What a radiance of 1 kcd/m² becomes in the linear light of a picture whose white is 1, before what a view makes of it: see
+    /// [`exposure_of`](Self::exposure_of).
     pub exposure: f32,
+    /// What that depends on of a view; none where the scene says its exposure.
+    pub(crate) meter: Option<Meter>,
     /// What brings that light into a display's range.
     pub tone_map: ToneMap,
     /// The air, for what is seen through it.
     pub(crate) air: Air,
+}
+
+impl Light {
+    /// What a radiance of 1 kcd/m² becomes in the linear light of a picture of this view.
+    pub fn exposure_of(&self, view: &View) -> f32 {
+        self.exposure * self.meter.map_or(1.0, |meter| meter.gain(view))
+    }
 }
 
 /// The sun as the sea sees it.

@@ -13,6 +13,7 @@ mod panorama_sun;
 
 pub use cube::{CubeMap, FACE_SIZE, glow};
 pub use display::{display_from_linear, exposed, linear_from_display};
+pub(crate) use exposure::Meter;
 pub(crate) use light::{Air, SUN_KLX};
 pub use light::{Light, SunLight};
 
@@ -142,19 +143,18 @@ impl Environment {
         let sky_illuminance_klx = cube.irradiance();
         let from_sun = sun.map_or(Vec3::ZERO, |sun| sun.illuminance_klx * sun.toward.y.max(0.0));
         let irradiance = sky_illuminance_klx + from_sun;
+        let exposure = exposure::exposure(picture, f64::from(irradiance.dot(LUMINANCE)), ev);
+        let meter = picture
+            .exposure_ev100
+            .is_none()
+            .then(|| Meter::new(exposure, f64::from(sky_illuminance_klx.dot(LUMINANCE)), sun.as_ref()));
         Environment {
             cube,
             sun: None,
             irradiance,
             skylight: sky_illuminance_klx / PI,
             daylight: 1.0,
-            light: Some(Light {
-                sun,
-                sky_illuminance_klx,
-                exposure: exposure::exposure(picture, f64::from(irradiance.dot(LUMINANCE)), ev),
-                tone_map: picture.tone_map,
-                air,
-            }),
+            light: Some(Light { sun, sky_illuminance_klx, exposure, meter, tone_map: picture.tone_map, air }),
         }
     }
 

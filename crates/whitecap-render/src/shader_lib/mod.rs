@@ -5,8 +5,10 @@
 
 #[cfg(test)]
 pub(crate) mod layout;
+mod patchwork;
 mod water_light;
 
+pub use patchwork::GpuPatchwork;
 pub use water_light::GpuWaterLight;
 
 /// A linked shader.
@@ -124,6 +126,8 @@ shaders! {
     SINES_TWINS = "sines_twins";
     /// Foam as it is drawn, on a buffer of places.
     FOAM_TWINS = "foam_twins";
+    /// How tiles are sewn from patches, on a buffer of places.
+    PATCHWORK_TWINS = "patchwork_twins";
 }
 
 impl Shader {

@@ -3,6 +3,7 @@
 use crate::RenderError;
 use crate::gpu::checked;
 use crate::gpu::resources::{texture_2d, write_level};
+use crate::shader_lib::GpuPatchwork;
 use crate::threads::*;
 use glam::DVec2;
 use half::f16;
@@ -24,6 +25,7 @@ pub struct GpuFoamTile {
     eye_in_tile: [f32; 2],
     tiles_per_m: f32,
     half_texel: f32,
+    patchwork: GpuPatchwork,
 }
 
 /// Layout twin of `GpuFoam` in `foam.wesl`: what a view needs to read the maps. Zeroed it stands for no foam.
@@ -158,6 +160,12 @@ impl FoamMaps {
         self.foam.as_ref().map_or(0, |foam| foam.tiles().len())
     }
 
+    /// The first of those, which are sewn from patches.
+    pub fn sewn_count(&self) -> usize {
+        let tiles = self.foam.as_ref().map_or(&[][..], |foam| foam.tiles());
+        tiles.iter().take_while(|tile| tile.patchwork().is_some()).count()
+    }
+
     /// What shaders need for an eye over this place, metres.
     pub fn uniforms(&self, eye_m: DVec2) -> GpuFoam {
         let Some(foam) = &self.foam else { return GpuFoam::default() };
@@ -168,6 +176,7 @@ impl FoamMaps {
                 eye_in_tile: within(tile.tile_size_m()),
                 tiles_per_m: (1.0 / tile.tile_size_m()) as f32,
                 half_texel: (0.5 / foam.resolution() as f64) as f32,
+                patchwork: GpuPatchwork::new(tile.patchwork(), eye_m),
             };
         }
         let [large_m, small_m] = STRUCTURE_SIDES_M;

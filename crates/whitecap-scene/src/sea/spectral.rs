@@ -77,6 +77,8 @@ pub struct Tiling {
     pub resolution: u32,
     /// The shortest wave that its view shows.
     pub shortest_wave_m: f64,
+    /// How many tiles of a plan, the longest, are sewn from patches, which do not repeat.
+    pub sewn: usize,
 }
 
 impl Tiling {
@@ -267,7 +269,10 @@ impl SpectralSettings {
                 Amplitudes::Gaussian => spectral::Amplitudes::Gaussian,
             },
         };
-        SpectralSea::new(parameters, spectra).map_err(|error| fitting::problem(self, spectra, tiling, &error))
+        let sea = SpectralSea::new(parameters, spectra)
+            .map_err(|error| fitting::problem(self, spectra, tiling, &error))?;
+        // Who lays the tiles out gets them as they are.
+        Ok(if self.cascade.is_some() { sea } else { sea.sewn(tiling.sewn) })
     }
 
     /// Where the sea of these settings bends what was asked for: one sentence each.

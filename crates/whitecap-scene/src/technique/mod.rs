@@ -85,7 +85,7 @@ impl Technique {
     pub fn tiling(&self) -> Tiling {
         match self {
             Self::SpectralOcean(_) => spectral_ocean::TILING,
-            _ => Tiling { cascades: 1, resolution: 64, shortest_wave_m: Tiling::SHORTEST_WAVE_M },
+            _ => Tiling { cascades: 1, resolution: 64, shortest_wave_m: Tiling::SHORTEST_WAVE_M, sewn: 0 },
         }
     }
 

@@ -6,7 +6,7 @@
 
 use super::{QueryError, check, inverse};
 use crate::model::spectral::evolve::{Column, evolve_column, evolve_velocity_column};
-use crate::model::spectral::{SpectralSea, SpectralTile};
+use crate::model::spectral::{Patch, Patchwork, SpectralSea, SpectralTile};
 use crate::model::{Surface, SurfacePoint, WaveModel, spectral::sample::Sums};
 use crate::spline::{self, Taps, error_variance, jet, value};
 use crate::statistics::significant_height_m;
@@ -75,8 +75,9 @@ impl Snapshot {
         if !self.sides_for.iter().copied().eq(sea.tiles().iter().map(key)) {
             *self = Self::new(sea);
         }
-        for (snapshot, tile) in self.tiles.iter_mut().zip(sea.tiles()) {
+        for (index, (snapshot, tile)) in self.tiles.iter_mut().zip(sea.tiles()).enumerate() {
             snapshot.take(tile, time_s);
+            snapshot.patchwork = sea.patchwork(index);
         }
         self.current_mps = sea.parameters().water.current_mps;
         self.time_s = Some(time_s);
@@ -126,16 +127,16 @@ impl Snapshot {
         Ok(rests_m.iter().map(at_rest).collect())
     }
 
-    /// How the water moves that rests at each place of a tile alone, m/s, without the current. Of a tile that is not there nothing.
+    /// How the water moves that rests at each place of a tile alone, as it repeats, m/s, without the current. Of a tile that is not there nothing.
     pub fn velocities_of_tile(&self, tile: usize, rests_m: &[DVec2]) -> Vec<DVec3> {
         let Some(tile) = self.tiles.get(tile) else { return Vec::new() };
         #[cfg(feature = "parallel")]
         {
             use rayon::prelude::*;
-            rests_m.par_iter().with_min_len(256).map(|rest_m| tile.velocity(*rest_m)).collect()
+            rests_m.par_iter().with_min_len(256).map(|rest_m| tile.velocity_of_tile(*rest_m)).collect()
         }
         #[cfg(not(feature = "parallel"))]
-        rests_m.iter().map(|rest_m| tile.velocity(*rest_m)).collect()
+        rests_m.iter().map(|rest_m| tile.velocity_of_tile(*rest_m)).collect()
     }
 
     /// The water over one place, upright.
@@ -170,6 +171,8 @@ struct TileSnapshot {
     evolved: Vec<f32>,
     planes: [Vec<f32>; 3],
     transform: InverseReal2d,
+    /// Where the tile does not repeat.
+    patchwork: Option<Patchwork>,
 }
 
 impl TileSnapshot {
@@ -185,6 +188,7 @@ impl TileSnapshot {
             evolved: vec![0.0; resolution / 2 * Column::len(resolution)],
             planes: std::array::from_fn(|_| vec![0.0; side * side]),
             transform: InverseReal2d::new(side).expect("a power of two from 16 to 4096"),
+            patchwork: None,
         }
     }
 
@@ -229,6 +233,24 @@ impl TileSnapshot {
 
     /// Everything but the velocity.
     fn shape(&self, rest_m: DVec2) -> Sums {
+        match &self.patchwork {
+            Some(patchwork) => patchwork.sums(rest_m, self.size_m, |rest_m| self.shape_of_tile(rest_m)),
+            None => self.shape_of_tile(rest_m),
+        }
+    }
+
+    fn velocity(&self, rest_m: DVec2) -> DVec3 {
+        match &self.patchwork {
+            Some(patchwork) => {
+                let of_patch =
+                    |patch: Patch| patch.weight * self.velocity_of_tile(rest_m + patch.shift * self.size_m);
+                patchwork.patches_at(rest_m).into_iter().map(of_patch).sum()
+            }
+            None => self.velocity_of_tile(rest_m),
+        }
+    }
+
+    fn shape_of_tile(&self, rest_m: DVec2) -> Sums {
         let (x, z) = self.taps(rest_m);
         let jet = jet(&self.shape, &x, &z);
         let per_m = self.side as f64 / self.size_m;
@@ -244,7 +266,7 @@ impl TileSnapshot {
         }
     }
 
-    fn velocity(&self, rest_m: DVec2) -> DVec3 {
+    fn velocity_of_tile(&self, rest_m: DVec2) -> DVec3 {
         let (x, z) = self.taps(rest_m);
         value(&self.motion, &x, &z).truncate().as_dvec3()
     }

@@ -5,6 +5,7 @@ mod chances;
 mod energy;
 mod fitting;
 mod geometry;
+mod patches;
 mod threads;
 mod travel;
 mod water;

@@ -7,6 +7,7 @@ use crate::gpu::resources::{buffer, linear_sampler};
 use crate::shader_lib::{self, layout::assert_layout};
 use whitecap_scene::Scene;
 use whitecap_scene::sea::SeaSurface;
+use whitecap_waves::model::spectral::Patch;
 use whitecap_waves::model::spectral::foam::{DECAY_S, FoamParameters};
 use whitecap_waves::optics::foam_cover;
 
@@ -43,7 +44,10 @@ fn drawn(gpu: &crate::Gpu, maps: &FoamMaps, eye_m: DVec2, places: &[[f32; 4]]) -
         module: &shader.module(device),
         entry_point: Some("cs_foam"),
         compilation_options: wgpu::PipelineCompilationOptions {
-            constants: &[("FOAM_TILES", maps.tile_count() as f64)],
+            constants: &[
+                ("FOAM_TILES", maps.tile_count() as f64),
+                ("SEWN_FOAM_TILES", maps.sewn_count() as f64),
+            ],
             ..Default::default()
         },
         cache: None,
@@ -80,7 +84,7 @@ fn drawn(gpu: &crate::Gpu, maps: &FoamMaps, eye_m: DVec2, places: &[[f32; 4]]) -
 #[test]
 fn layouts_agree() {
     let wgsl = shader_lib::FOAM_TWINS.wgsl;
-    assert_layout!(GpuFoamTile, wgsl, "GpuFoamTile", [eye_in_tile, tiles_per_m, half_texel]);
+    assert_layout!(GpuFoamTile, wgsl, "GpuFoamTile", [eye_in_tile, tiles_per_m, half_texel, patchwork]);
     assert_layout!(
         GpuFoam,
         wgsl,
@@ -107,7 +111,7 @@ fn the_next_frame_allocates_nothing() {
     }
 }
 
-/// Over a sample of the first tile, with the others between theirs, the shader's cover is that of the fields.
+/// The shader's cover is that of the fields, sewn from their patches.
 #[test]
 fn the_cover_drawn_is_that_of_the_fields() {
     let Some(gpu) = gpu() else { return };
@@ -127,12 +131,18 @@ fn the_cover_drawn_is_that_of_the_fields() {
         .collect();
     let excess = |place: DVec2| -> f64 {
         let tile = |tile: &whitecap_waves::model::spectral::foam::FoamTile| {
-            let at = (place / tile.tile_size_m()).fract_gl() * n as f64;
-            let (corner, t) = (at.floor(), at.fract());
-            let (x, z) = (corner.x as usize, corner.y as usize);
-            let sample = |i: usize, j: usize| f64::from(tile.field()[(z + j) % n * n + (x + i) % n]);
-            let row = |j: usize| sample(0, j) * (1.0 - t.x) + sample(1, j) * t.x;
-            row(0) * (1.0 - t.y) + row(1) * t.y
+            let of_copy = |patch: Patch| {
+                let at = (place / tile.tile_size_m() + patch.shift).fract_gl() * n as f64;
+                let (corner, t) = (at.floor(), at.fract());
+                let (x, z) = (corner.x as usize, corner.y as usize);
+                let sample = |i: usize, j: usize| f64::from(tile.field()[(z + j) % n * n + (x + i) % n]);
+                let row = |j: usize| sample(0, j) * (1.0 - t.x) + sample(1, j) * t.x;
+                patch.weight.powi(2) * (row(0) * (1.0 - t.y) + row(1) * t.y).exp()
+            };
+            let alone = Patch { shift: DVec2::ZERO, weight: 1.0, slope_per_m: DVec2::ZERO };
+            let patches =
+                tile.patchwork().map_or(vec![alone], |patchwork| patchwork.patches_at(place).to_vec());
+            patches.into_iter().map(of_copy).sum::<f64>().ln()
         };
         cpu.tiles().iter().map(tile).sum::<f64>() - cpu.threshold()
     };

@@ -4,7 +4,7 @@ use super::super::Build;
 use crate::environment::Air;
 use crate::geometry::NestedGrid;
 use crate::gpu::resources::{PipelineRequest, bind_group, buffer, linear_sampler};
-use crate::shader_lib::{self, GpuWaterLight, Shader};
+use crate::shader_lib::{self, GpuPatchwork, GpuWaterLight, Shader};
 use crate::surface::{FoamMaps, GpuFoam, TileMaps};
 use crate::uniforms::{ViewSlots, sampler_entry, texture_entry, uniform_entry};
 use std::ops::Range;
@@ -27,6 +27,7 @@ pub(super) struct GpuCascade {
     pub(super) padding: u32,
     pub(super) slope_shape: [f32; 3],
     pub(super) end: u32,
+    pub(super) patchwork: GpuPatchwork,
 }
 
 /// Layout twin of `GpuSpectralOcean` in `surface.wesl`.
@@ -72,6 +73,7 @@ impl Pipeline {
         build: &Build<'_>,
         grid: &NestedGrid,
         tiles: &[TileMaps],
+        sewn: usize,
         foam: &FoamMaps,
         waters: &GpuWaters,
         slots: &ViewSlots<GpuSpectralOcean>,
@@ -80,7 +82,7 @@ impl Pipeline {
         let layout = group_layout(device);
         let contents = |label, bytes, usage| buffer(device, queue, label, bytes, usage);
         let waters = contents("waters", bytemuck::bytes_of(waters), wgpu::BufferUsages::UNIFORM);
-        let constants = constants(build, tiles.len(), foam.tile_count());
+        let constants = constants(build, tiles.len(), sewn, foam);
         Pipeline {
             pipeline: pipeline(build, &layout, &shader_of(build), &constants),
             aux: build.aux.then(|| pipeline(build, &layout, &shader_lib::SPECTRAL_OCEAN_AUX, &constants)),
@@ -185,11 +187,13 @@ fn shader_of(build: &Build<'_>) -> Shader {
 }
 
 /// What the shader is told when it is made.
-fn constants(build: &Build<'_>, cascades: usize, foam_tiles: usize) -> Vec<(&'static str, f64)> {
+fn constants(build: &Build<'_>, cascades: usize, sewn: usize, foam: &FoamMaps) -> Vec<(&'static str, f64)> {
     let under_panorama = build.light.is_some_and(|light| matches!(light.air, Air::Photographed { .. }));
     let mut constants = vec![
         ("CASCADES", cascades as f64),
-        ("FOAM_TILES", foam_tiles as f64),
+        ("SEWN_TILES", sewn as f64),
+        ("FOAM_TILES", foam.tile_count() as f64),
+        ("SEWN_FOAM_TILES", foam.sewn_count() as f64),
         ("UNDER_PANORAMA", f64::from(u8::from(under_panorama))),
     ];
     if let Some(feature) = build.without {

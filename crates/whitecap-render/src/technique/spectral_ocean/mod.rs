@@ -16,7 +16,7 @@ use super::{Build, Frame, Technique, wrong_sea};
 use crate::RenderError;
 use crate::environment::{Light, SUN_RADIUS_RAD};
 use crate::geometry::NestedGrid;
-use crate::shader_lib::GpuWaterLight;
+use crate::shader_lib::{GpuPatchwork, GpuWaterLight};
 use crate::surface::{FoamMaps, TileMaps, Vertices};
 use crate::uniforms::ViewSlots;
 use crate::view::View;
@@ -27,6 +27,7 @@ use roughness::Roughness;
 use visible::Wedge;
 use whitecap_scene::sea::SeaSurface;
 use whitecap_scene::technique as settings;
+use whitecap_waves::model::spectral::Patchwork;
 use whitecap_waves::model::spectral::foam::{DECAY_S, Foam, FoamParameters};
 use whitecap_waves::model::{Surface, WaveModel};
 use whitecap_waves::optics::water_body::{Daylight, WaterLight};
@@ -57,6 +58,8 @@ const FADE_LIMIT: f64 = 0.9;
 pub(super) struct SpectralOcean {
     settings: settings::SpectralOcean,
     tiles: Vec<TileMaps>,
+    /// Of the first tiles, those that are sewn.
+    patchworks: Vec<Patchwork>,
     grid: NestedGrid,
     levels: u32,
     significant_height_m: f64,
@@ -91,19 +94,21 @@ impl SpectralOcean {
             let model: Box<dyn WaveModel> = Box::new(model);
             TileMaps::new(build.device, build.queue, build.backend, model, Vertices::Anywhere)
         };
+        let patchworks = (0..sea.tiles().len()).map_while(|tile| sea.patchwork(tile)).collect::<Vec<_>>();
         let tiles = sea.into_tiles().into_iter().map(maps_of).collect::<Result<Vec<_>, _>>()?;
 
         let (cells, levels) = mesh_size(build.is_software(), build.shared.target.sample_shading);
         let grid = mesh(cells, levels);
         let slots = ViewSlots::new(build.device, "spectral ocean");
-        let pipeline =
-            Pipeline::new(build, &grid, &tiles, &foam, &waters(build, settings, light, &roughness), &slots);
+        let waters = waters(build, settings, light, &roughness);
+        let pipeline = Pipeline::new(build, &grid, &tiles, patchworks.len(), &foam, &waters, &slots);
         Ok(SpectralOcean {
             settings: settings.clone(),
             roughness,
             foam,
             significant_height_m,
             tiles,
+            patchworks,
             grid,
             levels,
             slots,
@@ -137,7 +142,8 @@ impl SpectralOcean {
         }
         let half_width_m = cell_m * f64::from(self.grid.half_cells()) * f64::from(self.levels - 1).exp2();
         let mut cascades = [GpuCascade::default(); MAX_CASCADES];
-        for ((cascade, maps), shape) in cascades.iter_mut().zip(&self.tiles).zip(&self.roughness.tiles) {
+        let tiles = self.tiles.iter().zip(&self.roughness.tiles).enumerate();
+        for (cascade, (tile, (maps, shape))) in cascades.iter_mut().zip(tiles) {
             let shortest_m = SAMPLES_PER_WAVE * maps.tile_size_m() / maps.resolution() as f64;
             let fade_end_m = (FADE_END_WAVES * shortest_m / self.cell_per_m()).min(FADE_LIMIT * half_width_m);
             let fade_start_m = (FADE_START_WAVES * shortest_m / self.cell_per_m()).min(0.5 * fade_end_m);
@@ -151,6 +157,7 @@ impl SpectralOcean {
                 padding: 0,
                 slope_shape: shape.to_array(),
                 end: 0,
+                patchwork: GpuPatchwork::new(self.patchworks.get(tile).copied(), eye),
             };
         }
         GpuSpectralOcean {

@@ -37,7 +37,8 @@
 //! carries, and one of which it carries less than half is refused.
 //!
 //! One tile carries waves from its length down to twice its spacing. A [`SpectralSea`] of several tiles, its
-//! [cascades](Cascade), carries more: each has a [`Band`] of wave numbers of its own.
+//! [cascades](Cascade), carries more: each has a [`Band`] of wave numbers of its own. A tile repeats, and so does what it
+//! draws, unless the sea is [sewn from patches](SpectralSea::sewn).
 
 use crate::dispersion::Dispersion;
 use crate::error::{ParameterError, check};
@@ -50,6 +51,7 @@ mod energy;
 pub(crate) mod evolve;
 pub mod foam;
 pub(crate) mod lattice;
+mod patchwork;
 mod random;
 pub(crate) mod sample;
 mod sea;
@@ -57,6 +59,7 @@ mod tile;
 
 pub use band::Band;
 pub use cascade::{Cascade, CascadeBudget};
+pub use patchwork::{Patch, Patchwork};
 pub use sea::{SpectralSea, SpectralSeaParameters};
 pub use tile::{SpectralTile, SpectralTileParameters, WaveColumn};
 

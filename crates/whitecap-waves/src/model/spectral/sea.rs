@@ -4,7 +4,7 @@
 
 use super::sample::Sums;
 use super::tile::{LEAST_CAPTURED, Share, SpectralTile, SpectralTileParameters, remedy};
-use super::{Amplitudes, Cascade, Water};
+use super::{Amplitudes, Cascade, Patchwork, Water};
 use crate::error::{ParameterError, check};
 use crate::model::{Surface, SurfacePoint};
 use crate::query::{QueryError, Snapshot};
@@ -30,10 +30,12 @@ pub struct SpectralSeaParameters {
 /// A sea whose waves are shared out among tiles of different lengths; see the [module](super).
 ///
 /// The surface is the sum of the tiles' displacements over the same rest point. Where their lengths have no common
-/// multiple it never repeats.
+/// multiple it never repeats, but waves of one tile do: see [`sewn`](Self::sewn).
 pub struct SpectralSea {
     parameters: SpectralSeaParameters,
     tiles: Vec<SpectralTile>,
+    /// Of the first tiles, those that do not repeat.
+    patchworks: Vec<Patchwork>,
     /// What queries have made before. Their memory serves again, and their moment if it is the one that is asked for.
     snapshots: Mutex<Vec<Snapshot>>,
 }
@@ -64,7 +66,7 @@ impl SpectralSea {
             SpectralTile::of_cascade(tile, index as u64, systems)
         };
         let tiles = each(&parameters.cascades, tile)?;
-        let sea = Self { parameters, tiles, snapshots: Mutex::default() };
+        let sea = Self { parameters, tiles, patchworks: Vec::new(), snapshots: Mutex::default() };
         for (system, share) in sea.shares().enumerate() {
             if share.fraction() < LEAST_CAPTURED {
                 let Cascade { tile_size_m, .. } = sea.parameters.cascades[0];
@@ -81,6 +83,21 @@ impl SpectralSea {
             }
         }
         Ok(sea)
+    }
+
+    /// The same sea, whose first `tiles` tiles are sewn from patches that lie where chance has it, so that they do not repeat: see
+    /// [`Patchwork`]. Its statistics stay as they are. What a tile's [fields](crate::model::WaveModel::evaluate) hold is the
+    /// cloth, and three copies of it lie over a place.
+    pub fn sewn(self, tiles: usize) -> Self {
+        let seed = self.parameters.seed;
+        let cascades = self.parameters.cascades.iter().take(tiles).enumerate();
+        let patchworks = cascades.map(|(index, cascade)| Patchwork::new(cascade.tile_size_m, index, seed));
+        Self { patchworks: patchworks.collect(), snapshots: Mutex::default(), ..self }
+    }
+
+    /// The patches of a tile; `None` where it repeats.
+    pub fn patchwork(&self, tile: usize) -> Option<Patchwork> {
+        self.patchworks.get(tile).copied()
     }
 
     /// The parameters that the sea was made from.
@@ -126,8 +143,12 @@ impl SpectralSea {
 
     fn sums(&self, rest_m: DVec2, depth_m: f64, time_s: f64) -> Sums {
         let mut sums = Sums::default();
-        for tile in &self.tiles {
-            sums += tile.sums(rest_m, depth_m, time_s);
+        for (index, tile) in self.tiles.iter().enumerate() {
+            let of_tile = |rest_m| tile.sums(rest_m, depth_m, time_s);
+            sums += match self.patchwork(index) {
+                Some(patchwork) => patchwork.sums(rest_m, tile.parameters().tile_size_m, of_tile),
+                None => of_tile(rest_m),
+            };
         }
         sums
     }

@@ -39,7 +39,8 @@ Examples:
                                                    for NumPy: numpy.load(\"maps/cascade0.velocity.0000.npy\")
 
 DIR gets a file for each cascade, map and frame, cascade0.displacement.0000.exr, and bake.json, which says what the \
-numbers are. Cascades are tiles that repeat; the sea is the sum of all of them, each at its own size. A sample lies \
+numbers are. Cascades are tiles that repeat; a sea is the sum of all of them, each at its own size. Those that bake.json \
+calls sewn do not repeat in whitecap itself, which lays patches of them over one another: --area has them so. A sample lies \
 over a rest point: the water that rests at (x, z) is at (x, 0, z) + displacement. Files that are there already are \
 kept. No graphics adapter is needed, and the numbers are the same on every machine of a kind.";
 

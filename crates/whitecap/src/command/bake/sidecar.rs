@@ -73,6 +73,7 @@ pub(super) fn of_cascade(sea: &Sea, index: usize) -> Value {
         "resolution": cascade.resolution,
         "first_sample_m": [0.0, 0.0],
         "spacing_m": cascade.tile_size_m / cascade.resolution as f64,
+        "sewn": sea.sea().patchwork(index).is_some(),
     })
 }
 

@@ -46,7 +46,7 @@
 //! the start of the block of 5 τ before the present one, and what is of that block fades away before it is dropped:
 //! so a moment costs at most two blocks, the next one a step, and both have the same bits.
 
-use super::SpectralSea;
+use super::{Patchwork, SpectralSea};
 use crate::error::{ParameterError, check};
 use crate::optics::foam_cover;
 use crate::statistics::{Moments, whitecap_cover};
@@ -109,6 +109,7 @@ pub struct Foam {
 pub struct FoamTile {
     index: usize,
     tile_size_m: f64,
+    patchwork: Option<Patchwork>,
     convergence: Convergence,
     memory: Memory,
     mean: f64,
@@ -152,6 +153,7 @@ impl Foam {
                 FoamTile {
                     index,
                     tile_size_m: tile.parameters().tile_size_m,
+                    patchwork: sea.patchwork(index),
                     convergence,
                     memory: Memory::default(),
                     mean: 0.0,
@@ -251,6 +253,12 @@ impl FoamTile {
     /// Its side in metres, over which the field repeats.
     pub fn tile_size_m(&self) -> f64 {
         self.tile_size_m
+    }
+
+    /// The patches that it is sewn from, those of the sea's tile; `None` where it repeats. Copies pᵢ with the weights ŵᵢ make
+    /// ln Σŵᵢ² e^{pᵢ}: so the mean of the foam stays what it is.
+    pub fn patchwork(&self) -> Option<Patchwork> {
+        self.patchwork
     }
 
     /// mᵢ less its mean, row by row; sample (0, 0) is over the rest point (0, 0).

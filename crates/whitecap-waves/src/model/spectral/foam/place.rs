@@ -1,6 +1,7 @@
 //! Foam at a place.
 
 use super::{Foam, FoamTile};
+use crate::model::spectral::Patch;
 use glam::DVec2;
 
 impl Foam {
@@ -14,6 +15,14 @@ impl Foam {
 
 impl FoamTile {
     fn value_at(&self, rest_m: DVec2, n: usize) -> f64 {
+        let Some(patchwork) = self.patchwork else { return self.value_of_tile(rest_m, n) };
+        let of_patch = |Patch { shift, weight, .. }: Patch| {
+            weight * weight * libm::exp(self.value_of_tile(rest_m + shift * self.tile_size_m, n))
+        };
+        libm::log(patchwork.patches_at(rest_m).into_iter().map(of_patch).sum::<f64>())
+    }
+
+    fn value_of_tile(&self, rest_m: DVec2, n: usize) -> f64 {
         let place = (rest_m / self.tile_size_m).fract_gl() * n as f64;
         let corner = place.floor();
         let DVec2 { x, y: z } = place - corner;
