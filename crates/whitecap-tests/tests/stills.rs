@@ -104,9 +104,10 @@ fn brightness_does_not_depend_on_the_number_of_samples() {
             below.iter().map(|&rgb| luminance(rgb)).sum::<f64>() / below.len() as f64
         };
         let means = [1, 4, 16].map(mean);
-        // Display values clip glints: how many a picture of one sample has is more a matter of chance.
-        let bound = if scene.technique.is_scene_linear() { 0.01 } else { 0.02 };
-        for found in &means[..2] {
+        // A single sample has the slopes of a whole pixel as roughness, which is a little less bright in glitter: 1.4 % at the
+        // most of six moments. Display values clip glints: how many a picture of one sample has is more a matter of chance.
+        let bounds = if scene.technique.is_scene_linear() { [0.015, 0.01] } else { [0.02, 0.02] };
+        for (found, bound) in means.iter().zip(bounds) {
             assert!((found / means[2] - 1.0).abs() < bound, "{}: {means:?}", scene.technique.word());
         }
     }
@@ -128,12 +129,20 @@ fn every_sample_brings_the_picture_nearer_to_its_end() {
     let island = whitecap_scene::open("five-sample-island").unwrap();
     for scene in [sea_alone(), island] {
         let size = [48, 27];
-        let end = light(gpu, &scene, size, 128);
+        // A few glints are much of one moment's error.
+        let moments_s = [0.0, 3.7, 20.0, 41.0];
+        let light = |time_s, samples| {
+            let request = PictureRequest { time_s, ..request(size[0], size[1]) };
+            render_light(gpu, &scene, &request, samples, &mut |_, _| {}).unwrap()
+        };
+        let ends = moments_s.map(|time_s| light(time_s, 128));
         let error = |samples| {
-            let found = light(gpu, &scene, size, samples);
-            let differences = found.rgb.as_flattened().iter().zip(end.rgb.as_flattened());
-            let squares: f32 = differences.map(|(a, b)| (a - b).powi(2)).sum();
-            squares.sqrt()
+            let of_moment = |(time_s, end): (f64, &LightPicture)| -> f32 {
+                let found = light(time_s, samples);
+                let differences = found.rgb.as_flattened().iter().zip(end.rgb.as_flattened());
+                differences.map(|(a, b)| (a - b).powi(2)).sum()
+            };
+            moments_s.into_iter().zip(&ends).map(of_moment).sum::<f32>().sqrt()
         };
         let errors = [1, 4, 16].map(error);
         let falls = errors.windows(2).all(|pair| pair[1] < 0.6 * pair[0]);
