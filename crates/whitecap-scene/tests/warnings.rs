@@ -186,8 +186,11 @@ fn tiles_whose_directions_are_too_few() {
         )
     };
     assert_eq!(warnings("", &[&narrow(150)]), Vec::<String>::new());
-    let words =
-        ["sea.tile_size_m = 18", "at the peak of sea.system[0] spread over 4.7°, drawn over 5.1°", " = 2506 has"];
+    let words = [
+        "sea.tile_size_m = 18",
+        "at the peak of sea.system[0] spread over 4.7°, drawn over 5.1°",
+        " = 2506 has",
+    ];
     one("", &[&narrow(300)], &words);
     one("", &[&narrow(1000)], &["over 2.6°, drawn over 3.3°"]);
     let enough = warnings("", &[&narrow(1000)]).remove(0);
