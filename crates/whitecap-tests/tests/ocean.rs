@@ -118,7 +118,7 @@ fn brightness_does_not_depend_on_distance() {
         for doubling in 0..7 {
             let height_m = 4.0 * f64::from(1 << doubling);
             // Few waves are in a near picture, many in a far one.
-            let frames = (30 >> doubling).max(5);
+            let frames = (40 >> doubling).max(12);
             let (mut sum, mut squares, mut count) = (0.0, 0.0, 0.0);
             for frame in 0..frames {
                 let views: Vec<View> = (0..MAX_VIEWS)

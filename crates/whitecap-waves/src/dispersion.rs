@@ -205,6 +205,12 @@ mod tests {
         assert_eq!(water.orbits_below(0.2, 10.0).1, 0.0);
         assert_eq!(water.orbits_below(0.2, 99.0), water.orbits_below(0.2, 10.0));
         assert_eq!(Dispersion::DEEP.orbits_below(0.2, 5.0), ((-1.0_f64).exp(), (-1.0_f64).exp()));
+        // Above the calm level there is no answer but the surface's.
+        for water in [water, Dispersion::DEEP] {
+            for above in [-1e-3, -5.0, -1e4] {
+                assert_eq!(water.orbits_below(0.2, above), water.orbits_below(0.2, 0.0));
+            }
+        }
     }
 
     #[test]

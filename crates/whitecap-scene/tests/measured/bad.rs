@@ -134,6 +134,7 @@ fn ww3() {
     refuses("20220912 060000", "20220932 060000", "file:5: found \"20220932 060000\"; accepted: a time");
     refuses("'first     '", "'first      ", "file:6: found");
     refuses("0.300E+01", "-.300E+01", "file:10: found \"-3\"; accepted: a density from 0");
+    refuses("0.300E+01", "-.100E-02", "file:10: found \"-0.001\"; accepted: a density from 0");
     refuses("0.300E+01", "NaN", "file:10: found \"NaN\"; accepted: densities");
     let half = &WW3[..WW3.rfind("'buoy").unwrap()];
     assert!(problem(half).contains("the file ends; wanted: a point"));

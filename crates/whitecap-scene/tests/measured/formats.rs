@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use whitecap_scene::measured::{Directions, Energy, Format, from_bytes, load};
-use whitecap_waves::spectrum::tabulated::DirectionMethod;
+use whitecap_waves::spectrum::tabulated::{DirectionMethod, DirectionalMoments};
 
 use super::*;
 
@@ -52,6 +52,34 @@ fn ndbc_real_time_with_directions() {
         let (from_deg, r1) = mean_from_deg(&spectrum);
         assert!((from_deg - 270.0).abs() < 0.1, "{from_deg}");
         assert!((r1 - expected).abs() < 2e-3, "{method:?}: {r1}");
+    }
+}
+
+/// A frequency without directions takes those of the nearest that has them, above it or below.
+#[test]
+fn missing_directions_are_those_of_the_nearest_frequency() {
+    let toward = |mean_toward_rad| {
+        Some(DirectionalMoments { r1: 0.9, mean_toward_rad, r2: 0.81, principal_toward_rad: mean_toward_rad })
+    };
+    let sea = MeasuredSea {
+        frequencies_hz: [0.05, 0.06, 0.1, 0.11, 0.12, 0.2].into(),
+        energy: Energy::Moments {
+            density: vec![1.0, 2.0, 4.0, 3.0, 2.0, 1.0],
+            moments: vec![None, toward(0.5), None, toward(2.0), None, toward(4.5)],
+        },
+        ..with_directions()[0].clone()
+    };
+    let spectrum = spectrum(&sea, Directions::default());
+    let nearest = [0.5, 0.5, 2.0, 2.0, 2.0, 4.5];
+    for (hz, expected) in sea.frequencies_hz.iter().zip(nearest) {
+        let (mut east, mut south) = (0.0, 0.0);
+        for i in 0..720 {
+            let theta = TAU * f64::from(i) / 720.0;
+            let density = spectrum.density_m2phzprad(*hz, theta);
+            (east, south) = (east + density * theta.cos(), south + density * theta.sin());
+        }
+        let found = south.atan2(east).rem_euclid(TAU);
+        assert!((found - expected).abs() < 1e-3, "{hz} Hz: {found} instead of {expected}");
     }
 }
 

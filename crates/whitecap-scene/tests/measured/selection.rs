@@ -100,6 +100,16 @@ fn by_number_back_from_the_newest() {
     );
 }
 
+/// Records without times count in the order of the file: its last is the newest.
+#[test]
+fn without_times_the_last_is_the_newest() {
+    let mut seas: Vec<_> = read(DATA_SPEC).into_iter().take(2).collect();
+    seas.iter_mut().for_each(|sea| sea.time = None);
+    let chosen = |when| select(&seas, &Selection { when, ..Selection::default() }).unwrap();
+    assert!(std::ptr::eq(chosen(When::Newest), &seas[1]));
+    assert!(std::ptr::eq(chosen(When::Back(1)), &seas[0]));
+}
+
 #[test]
 fn by_place() {
     assert_eq!(chosen(WW3, Some("2"), at("2022-09-12T06:00")).unwrap(), "2 2022-09-12T06:00:00Z");

@@ -23,9 +23,9 @@ use glam::{DMat2, DVec2};
 /// Newton's method needs four steps on most places and has lost its way after so many.
 const MOST_NEWTON_STEPS: usize = 12;
 
-/// The step within which a surface is a plane: to half its square times the curvature, which is below 100 per metre
-/// where waves of a centimetre break.
-const NEAR_M: f64 = 5e-4;
+/// The step within which a surface is a plane: its curvature is below 100 per metre where waves of a centimetre break, and
+/// where those of a decimetre do, below 10, so that its normal turns by a thirtieth of a degree at most.
+const NEAR_M: f64 = 5e-5;
 
 /// The Jacobian below which the surface is all but folded.
 const STEEPEST: f64 = 0.2;

@@ -5,7 +5,7 @@
 //!
 //! | model | how | bound |
 //! | --- | --- | --- |
-//! | [`SpectralSea`](crate::model::spectral::SpectralSea) | a [`Snapshot`], made once for a moment | 1 mm or 0.1 % of the significant height, whichever is larger |
+//! | [`SpectralSea`](crate::model::spectral::SpectralSea) | a [`Snapshot`], made once for a moment | 1 mm or 0.1 % of the significant height, whichever is larger; velocities as much a second; normals 0.1° |
 //! | others | direct sums and iteration | 0.1 mm where waves do not fold |
 //!
 //! Where a crest folds over itself, three heights lie over one place or more. A snapshot's answer is then one of the
@@ -22,6 +22,9 @@ mod snapshot;
 mod tests;
 
 pub use snapshot::Snapshot;
+
+/// What the normal of a [`Snapshot`]'s answer is within of the direct sum's, where J ≥ 0.3: a tenth of a degree.
+const NORMAL_BOUND_RAD: f64 = 0.1 * std::f64::consts::PI / 180.0;
 
 /// A question without an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]

@@ -1,17 +1,18 @@
 //! A spectral sea at one moment, ready for any number of questions.
 //!
 //! For each tile the waves are transformed onto a grid on which the shortest of them has four samples or more, as
-//! coefficients of a spline. The error of such a grid follows from the spectrum, and grids are made finer until it is
-//! small enough. A question then costs a few dozen products for each tile, however many waves there are.
+//! coefficients of a quintic spline. The errors of such a grid follow from the spectrum, and grids are made finer until
+//! they are small enough. A question then costs a few hundred products for each tile, however many waves there are.
 
-use super::{QueryError, check, inverse};
+use super::{NORMAL_BOUND_RAD, QueryError, check, inverse};
 use crate::model::spectral::evolve::{Column, evolve_column, evolve_velocity_column};
-use crate::model::spectral::{Patch, Patchwork, SpectralSea, SpectralTile};
+use crate::model::spectral::{Patch, Patchwork, SpectralSea, SpectralTile, SpectralTileParameters};
 use crate::model::{Surface, SurfacePoint, WaveModel, spectral::sample::Sums};
-use crate::spline::{self, Taps, error_variance, jet, value};
+use crate::spline::{self, OnGrid, QUINTIC, Taps, jet, value};
 use crate::statistics::significant_height_m;
 use crate::transform::{Complex, InverseReal2d, for_each_run, thread_count};
 use glam::{DVec2, DVec3, Vec4};
+use std::f64::consts::TAU;
 
 /// A [`SpectralSea`] at one moment.
 ///
@@ -184,7 +185,7 @@ impl TileSnapshot {
             side,
             shape: vec![Vec4::ZERO; side * side],
             motion: vec![Vec4::ZERO; side * side],
-            filter: spline::factors(resolution / 2, side),
+            filter: spline::factors(resolution / 2, side, QUINTIC),
             evolved: vec![0.0; resolution / 2 * Column::len(resolution)],
             planes: std::array::from_fn(|_| vec![0.0; side * side]),
             transform: InverseReal2d::new(side).expect("a power of two from 16 to 4096"),
@@ -251,7 +252,7 @@ impl TileSnapshot {
     }
 
     fn shape_of_tile(&self, rest_m: DVec2) -> Sums {
-        let (x, z) = self.taps(rest_m);
+        let [x, z] = self.taps(rest_m);
         let jet = jet(&self.shape, &x, &z);
         let per_m = self.side as f64 / self.size_m;
         let (value, by_x, by_z) =
@@ -267,15 +268,15 @@ impl TileSnapshot {
     }
 
     fn velocity_of_tile(&self, rest_m: DVec2) -> DVec3 {
-        let (x, z) = self.taps(rest_m);
+        let [x, z] = self.taps(rest_m);
         value(&self.motion, &x, &z).truncate().as_dvec3()
     }
 
-    fn taps(&self, rest_m: DVec2) -> (Taps, Taps) {
+    fn taps(&self, rest_m: DVec2) -> [Taps<QUINTIC>; 2] {
         // In tiles: whole tiles drop out in f64, however far away.
         let place = rest_m / self.size_m;
         let samples = DVec2::new(fraction(place.x), fraction(place.y)) * self.side as f64;
-        (Taps::at(samples.x, self.side), Taps::at(samples.y, self.side))
+        Taps::<QUINTIC>::at(samples, self.side)
     }
 }
 
@@ -286,55 +287,144 @@ fn fraction(x: f64) -> f64 {
     if toward_zero < 0.0 { toward_zero + 1.0 } else { toward_zero }
 }
 
-/// What decides the grids of a tile: size, resolution, variance and choppiness.
-type Key = (f64, usize, f64, f64);
+/// What decides the grids of a tile: size, resolution, variance, choppiness and depth.
+type Key = [f64; 5];
 
 fn key(tile: &SpectralTile) -> Key {
-    (tile.tile_size_m(), tile.resolution(), tile.variance_m2(), tile.parameters().choppiness)
+    let parameters = tile.parameters();
+    [
+        tile.tile_size_m(),
+        tile.resolution() as f64,
+        tile.variance_m2(),
+        parameters.choppiness,
+        parameters.water.dispersion.depth_m(),
+    ]
 }
-
-/// The largest error is about five standard deviations, and horizontal errors add a little. Those are λ times as large
-/// as the height's, so beyond λ = 1 it is they that are held to the bound.
-const DEVIATIONS: f64 = 6.0;
 
 const FINEST_SIDE: usize = 4096;
 
-/// The samples along a side of each tile's grid: four or more to the shortest wave, and so many that the error is
-/// within the bound of a query.
+/// The samples along a side of each tile's grid: four or more to the shortest wave, and so many that the errors are
+/// within the bounds of a query.
 fn sides(sea: &SpectralSea) -> Vec<usize> {
-    let bound_m = (1e-3 * significant_height_m(sea.variance_m2())).max(1e-3);
+    let bounds = Bounds::of(sea);
     let coarsest = |tile: &SpectralTile| (4 * tile.waves().reach).next_power_of_two().max(tile.resolution());
     let mut sides: Vec<usize> = sea.tiles().iter().map(coarsest).collect();
-    let mut errors: Vec<f64> =
-        sea.tiles().iter().zip(&sides).map(|(tile, side)| error_variance_m2(tile, *side)).collect();
-    let deviations = DEVIATIONS * sea.parameters().choppiness.abs().max(1.0);
-    while errors.iter().sum::<f64>().sqrt() * deviations > bound_m {
-        let worst = (0..sides.len()).max_by(|&a, &b| errors[a].total_cmp(&errors[b])).unwrap_or(0);
-        if sides[worst] == FINEST_SIDE {
-            break;
-        }
+    let mut spent: Vec<[f64; 3]> =
+        sea.tiles().iter().zip(&sides).map(|(tile, side)| bounds.spent(tile, *side)).collect();
+    loop {
+        let of_all = |bound: usize| spent.iter().map(|tile| tile[bound]).sum::<f64>();
+        let bound = (0..3).max_by(|&a, &b| of_all(a).total_cmp(&of_all(b))).unwrap_or(0);
+        let finer = (0..sides.len()).filter(|&tile| sides[tile] < FINEST_SIDE);
+        let worst = finer.max_by(|&a, &b| spent[a][bound].total_cmp(&spent[b][bound]));
+        let Some(worst) = worst.filter(|_| of_all(bound) > 1.0) else {
+            return sides;
+        };
         sides[worst] *= 2;
-        errors[worst] = error_variance_m2(&sea.tiles()[worst], sides[worst]);
+        spent[worst] = bounds.spent(&sea.tiles()[worst], sides[worst]);
     }
-    sides
 }
 
-/// The mean square error of a tile's height on a grid.
-fn error_variance_m2(tile: &SpectralTile, side: usize) -> f64 {
-    let n = tile.resolution();
-    let kept: Vec<f64> =
-        (0..=n / 2).map(|q| 1.0 - error_variance((q as f64 / side as f64).min(0.5))).collect();
-    let mut sum = 0.0;
-    for p in 0..=tile.waves().reach.min(n / 2 - 1) {
-        let images = if p == 0 { 1.0 } else { 2.0 };
-        let parts = tile.column(p).amplitudes;
-        for q in 0..n {
-            // The mean of |P cos ωt + Q sin ωt|² over time.
-            let energy = 0.5 * parts.iter().map(|part| f64::from(part[q]).powi(2)).sum::<f64>();
-            sum += images * energy * (1.0 - kept[p] * kept[q.min(n - q)]);
+/// What a query may be wrong by, in standard deviations of the error over all places.
+struct Bounds {
+    /// Of height and of displacement.
+    place_m: f64,
+    velocity_mps: f64,
+    normal_rad: f64,
+    /// R.m.s. of the velocity's derivatives, for who is led to water beside the place.
+    shear_per_s: f64,
+    /// R.m.s. of the curvature.
+    bend_per_m: f64,
+}
+
+/// The largest error is about five standard deviations.
+const DEVIATIONS: f64 = 6.0;
+
+/// A miss of the displacement leads 1/J times as far to water beside the place: between crests and troughs, as the
+/// r.m.s. of what is next to steep crests.
+const DRAWN_APART: f64 = 2.0;
+
+impl Bounds {
+    fn of(sea: &SpectralSea) -> Self {
+        let place_m = (1e-3 * significant_height_m(sea.variance_m2())).max(1e-3);
+        let (mut shear, mut bend) = (0.0, 0.0);
+        for tile in sea.tiles() {
+            for_each_wave(tile, |wave| {
+                shear += wave.energy_m2 * wave.k2 * wave.speed2;
+                bend += wave.energy_m2 * wave.k2 * wave.k2 * (1.0 + wave.lean2);
+            });
+        }
+        Self {
+            place_m: place_m / DEVIATIONS,
+            velocity_mps: place_m / DEVIATIONS,
+            normal_rad: NORMAL_BOUND_RAD / DEVIATIONS,
+            shear_per_s: shear.sqrt(),
+            bend_per_m: bend.sqrt(),
         }
     }
-    sum
+
+    /// The shares of the three bounds, as variances, that a tile takes on a grid: of place, velocity and normal.
+    fn spent(&self, tile: &SpectralTile, side: usize) -> [f64; 3] {
+        let on_grid: Vec<OnGrid> = (0..=tile.resolution() / 2)
+            .map(|q| OnGrid::new((q as f64 / side as f64).min(0.5), QUINTIC))
+            .collect();
+        let per_m2 = (side as f64 / tile.tile_size_m()).powi(2);
+        let [mut up, mut along, mut velocity, mut slope] = [0.0; 4];
+        for_each_wave(tile, |wave| {
+            let [x, z] = wave.lattice.map(|number| &on_grid[number]);
+            let ((lost, by_x), (_, by_z)) = (x.errors(z), z.errors(x));
+            up += wave.energy_m2 * lost;
+            along += wave.energy_m2 * wave.lean2 * lost;
+            velocity += wave.energy_m2 * wave.speed2 * lost;
+            slope += wave.energy_m2 * (1.0 + wave.lean2) * (by_x + by_z) * per_m2;
+        });
+        let beside_m = DRAWN_APART * along.sqrt();
+        [
+            up.max(along) / self.place_m.powi(2),
+            (velocity + (beside_m * self.shear_per_s).powi(2)) / self.velocity_mps.powi(2),
+            (slope + (beside_m * self.bend_per_m).powi(2)) / self.normal_rad.powi(2),
+        ]
+    }
+}
+
+/// A wave on average over time.
+struct Wave {
+    /// |p| and |q|.
+    lattice: [usize; 2],
+    k2: f64,
+    /// Its part of the height's variance.
+    energy_m2: f64,
+    /// (λ coth kd)², the displacement's variance over the height's.
+    lean2: f64,
+    /// ω²(1 + coth² kd), the velocity's variance over the height's.
+    speed2: f64,
+}
+
+fn for_each_wave(tile: &SpectralTile, mut visit: impl FnMut(&Wave)) {
+    let n = tile.resolution();
+    let spacing = TAU / tile.tile_size_m();
+    let SpectralTileParameters { choppiness, water, .. } = tile.parameters();
+    for p in 0..=tile.waves().reach.min(n / 2 - 1) {
+        let images = if p == 0 { 1.0 } else { 2.0 };
+        let column = tile.column(p);
+        for q in 0..n {
+            // The mean of |P cos ωt + Q sin ωt|² over time.
+            let energy = 0.5 * column.amplitudes.iter().map(|part| f64::from(part[q]).powi(2)).sum::<f64>();
+            if energy == 0.0 {
+                continue;
+            }
+            let lattice = [p, q.min(n - q)];
+            let k = spacing * (lattice[0] as f64).hypot(lattice[1] as f64);
+            let orbit = water.dispersion.orbit_ratio(k);
+            let omega = TAU * column.turns_per_s[lattice[1]];
+            visit(&Wave {
+                lattice,
+                k2: k * k,
+                energy_m2: images * energy,
+                lean2: (choppiness * orbit).powi(2),
+                speed2: omega * omega * (1.0 + orbit * orbit),
+            });
+        }
+    }
 }
 
 /// Three planes into one array of vectors.

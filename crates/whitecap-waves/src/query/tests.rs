@@ -6,7 +6,10 @@ use super::*;
 use crate::model::spectral::{
     Amplitudes, Band, Cascade, CascadeBudget, SpectralSea, SpectralSeaParameters, Water,
 };
+use crate::spectrum::directional::{Directional, DirectionalParameters};
+use crate::spectrum::jonswap::Jonswap;
 use crate::spectrum::phillips::{Phillips, PhillipsParameters};
+use crate::spreading::{Spread, Spreading};
 use crate::statistics::significant_height_m;
 use glam::{DMat2, DVec3};
 
@@ -43,18 +46,62 @@ fn places(count: u32) -> Vec<DVec2> {
     (0..count).map(place).collect()
 }
 
-/// The water over a place by direct sums: from where the answer rests, a few steps of iteration further.
+/// The water over a place by direct sums: from where the answer rests, two steps of Newton's method further.
 fn directly(surface: &SpectralSea, place_m: DVec2, found: &SurfacePoint, time_s: f64) -> SurfacePoint {
-    let shift = |point: &SurfacePoint| DVec2::new(point.displacement_m.x, point.displacement_m.z);
-    let mut rest_m = place_m - shift(found);
-    for _ in 0..6 {
-        rest_m = place_m - shift(&surface.sample(rest_m, time_s));
+    let mut rest_m = place_m - along(found);
+    let back = stretch(surface, rest_m, time_s).inverse();
+    for _ in 0..2 {
+        rest_m -= back * (rest_m + along(&surface.sample(rest_m, time_s)) - place_m);
     }
     surface.sample(rest_m, time_s)
 }
 
-/// 1 mm or 0.1 % of the significant height, whichever is larger, from a calm to a storm, with several tiles and
-/// with one whose shortest waves have two samples.
+/// The largest errors of a batch of answers, as shares of what is promised where J ≥ 0.3.
+#[derive(Debug, Default)]
+struct Worst {
+    height: f64,
+    displacement: f64,
+    velocity: f64,
+    normal: f64,
+    compared: usize,
+    steep: usize,
+}
+
+/// Asks `surface` and the direct sum. Where J < 0.3 errors may be 0.3/J times as large, or (0.3/J)² those of the normal; where
+/// J < 0.1 they are held by the test of folds.
+fn worst(surface: &SpectralSea, places: &[DVec2], time_s: f64) -> Worst {
+    let bound = (1e-3 * significant_height_m(surface.variance_m2())).max(1e-3);
+    let mut worst = Worst::default();
+    for (place, found) in places.iter().zip(surface.query(places, time_s).unwrap()) {
+        if found.jacobian < 0.1 {
+            continue;
+        }
+        let expected = directly(surface, *place, &found, time_s);
+        let room = (0.3 / found.jacobian).max(1.0);
+        let of = |error: f64| error / bound / room;
+        worst.height = worst.height.max(of((found.height_m() - expected.height_m()).abs()));
+        worst.displacement =
+            worst.displacement.max(of(found.displacement_m.distance(expected.displacement_m)));
+        worst.velocity = worst.velocity.max(of(found.velocity_mps.distance(expected.velocity_mps)));
+        let turned_rad = found.normal.angle_between(expected.normal);
+        worst.normal = worst.normal.max(turned_rad / NORMAL_BOUND_RAD / (room * room));
+        worst.compared += 1;
+        worst.steep += usize::from(found.jacobian < 0.5);
+    }
+    worst
+}
+
+impl Worst {
+    /// Within what is promised: height and displacement to 1 mm or 0.1 % of the significant height, velocity to as much a
+    /// second, normals to 0.1°.
+    fn check(&self, what: &str) {
+        println!("{what}: {self:.2?}");
+        let errors = [self.height, self.displacement, self.velocity, self.normal];
+        assert!(errors.iter().all(|error| *error < 1.0), "{what}: {self:.3?}");
+    }
+}
+
+/// From a calm to a storm, with several tiles and with one whose shortest waves have two samples.
 #[test]
 fn a_query_is_the_direct_sum() {
     let current = Water { current_mps: DVec2::new(0.7, -0.3), loop_s: Some(60.0), ..Water::STILL };
@@ -66,25 +113,9 @@ fn a_query_is_the_direct_sum() {
         let several = sea(Cascade::plan(&[spectrum], budget), spectrum, Water::STILL);
         let one = sea(vec![Cascade::whole(40.0 * length, 64)], spectrum, current);
         for (surface, time_s) in [(several, 1e6), (one, -12.3)] {
-            let height_m = significant_height_m(surface.variance_m2());
-            let bound_m = (1e-3 * height_m).max(1e-3);
-            let places = places(40);
-            let (mut worst, mut compared) = (0.0_f64, 0);
-            for (place, found) in places.iter().zip(surface.query(&places, time_s).unwrap()) {
-                if found.jacobian < 0.3 {
-                    continue; // the crest all but folds
-                }
-                let expected = directly(&surface, *place, &found, time_s);
-                worst = worst.max((found.height_m() - expected.height_m()).abs());
-                let along = found.displacement_m - expected.displacement_m;
-                assert!(along.length() < 3.0 * bound_m, "{along}");
-                assert!(found.normal.distance(expected.normal) < 0.01, "{}", found.normal - expected.normal);
-                let speed = found.velocity_mps.distance(expected.velocity_mps);
-                assert!(speed < 0.01 * expected.velocity_mps.length() + 2e-3 * height_m, "{speed}");
-                compared += 1;
-            }
-            assert!(compared > 35, "{compared}");
-            assert!(worst < bound_m, "Hs {height_m}: {worst}");
+            let worst = worst(&surface, &places(150), time_s);
+            worst.check(&format!("{wind_speed_mps} m/s, {} tiles", surface.tiles().len()));
+            assert!(worst.compared > 140, "{worst:?}");
         }
     }
 }
@@ -97,32 +128,48 @@ fn a_query_is_the_direct_sum_for_any_choppiness() {
     let shallow = Water { dispersion: crate::dispersion::Dispersion::at_depth(6.0).unwrap(), ..Water::STILL };
     for (choppiness, water) in [(0.0, shallow), (0.5, Water::STILL), (2.5, shallow), (4.0, Water::STILL)] {
         let surface = choppy_sea(choppiness, Cascade::split(&[(260.0, 64), (31.0, 64)]), spectrum, water);
-        let height_m = significant_height_m(surface.variance_m2());
-        let bound_m = (1e-3 * height_m).max(1e-3);
-        let places = places(150);
-        let (mut worst, mut compared, mut steep) = (0.0_f64, 0, 0);
-        for (place, found) in places.iter().zip(surface.query(&places, 4.0).unwrap()) {
-            if found.jacobian < 0.25 {
-                continue; // the crest all but folds
-            }
-            let shift = |point: &SurfacePoint| DVec2::new(point.displacement_m.x, point.displacement_m.z);
-            let mut rest_m = place - shift(&found);
-            // Halfway each time, for troughs are drawn apart by more than once their length.
-            for _ in 0..20 {
-                rest_m += 0.5 * (place - rest_m - shift(&surface.sample(rest_m, 4.0)));
-            }
-            let expected = surface.sample(rest_m, 4.0);
-            worst = worst.max((found.height_m() - expected.height_m()).abs());
-            let speed = found.velocity_mps.distance(expected.velocity_mps);
-            assert!(
-                speed < 0.02 * expected.velocity_mps.length() + 4e-3 * height_m,
-                "λ {choppiness}: {speed}"
-            );
-            compared += 1;
-            steep += i32::from(found.jacobian < 0.5);
-        }
-        assert!(compared > 100 && (steep > 3 || choppiness < 3.0), "λ {choppiness}: {compared}, {steep}");
-        assert!(worst < bound_m, "λ {choppiness}: {worst} of {bound_m}");
+        let worst = worst(&surface, &places(200), 4.0);
+        worst.check(&format!("λ {choppiness}"));
+        assert!(worst.compared > 130 && (worst.steep > 5 || choppiness < 3.0), "λ {choppiness}: {worst:?}");
+    }
+}
+
+/// The same on tiles as a scene plans them, down to waves of a decimetre: from ripples to a storm, over a bottom, with round crests
+/// and with crests that all but fold.
+#[test]
+fn a_query_of_a_planned_sea_is_the_direct_sum() {
+    for (height_m, period_s, depth_m, choppiness) in [
+        (0.1, 1.6, f64::INFINITY, 1.0),
+        (0.4, 3.0, 2.0, 2.0),
+        (2.5, 8.0, f64::INFINITY, 0.0),
+        (2.5, 8.0, 8.0, 1.0),
+        (1.5, 6.0, f64::INFINITY, 2.0),
+        (1.5, 6.0, 8.0, 2.0),
+        (6.0, 12.0, 20.0, 1.0),
+        (14.0, 17.0, f64::INFINITY, 1.0),
+    ] {
+        let dispersion = crate::dispersion::Dispersion::at_depth(depth_m).unwrap();
+        let spectrum = Directional::new(
+            Jonswap::from_height_and_period(height_m, period_s, 3.3).unwrap(),
+            DirectionalParameters {
+                spread: Spread { spreading: Spreading::Hasselmann, swell: 0.0 },
+                toward: DVec2::from_angle(0.4),
+                dispersion,
+            },
+        )
+        .unwrap();
+        let budget = CascadeBudget { tile_size_m: None, shortest_wave_m: 0.1, cascades: 4, resolution: 128 };
+        let parameters = SpectralSeaParameters {
+            cascades: Cascade::plan(&[&spectrum], budget),
+            choppiness,
+            water: Water { dispersion, ..Water::STILL },
+            seed: 11,
+            amplitudes: Amplitudes::Deterministic,
+        };
+        let surface = SpectralSea::new(parameters, &[&spectrum]).unwrap();
+        let worst = worst(&surface, &places(60), 7.0);
+        worst.check(&format!("{height_m} m, {period_s} s, {depth_m} m deep, λ {choppiness}"));
+        assert!(worst.compared > 45, "{worst:?}");
     }
 }
 

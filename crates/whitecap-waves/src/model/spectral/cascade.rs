@@ -159,6 +159,31 @@ mod tests {
         }
     }
 
+    /// A swell of a fiftieth of the height, 0.04 % of the energy, is none to size a tile by; one of a tenth, 1 %, is.
+    #[test]
+    fn a_swell_of_a_thousandth_of_the_energy_decides_the_first_tile() {
+        let of_height = |wind_speed_mps, height_m| {
+            Phillips::new(PhillipsParameters {
+                wind_speed_mps,
+                toward: DVec2::X,
+                significant_height_m: Some(height_m),
+                opposing_energy: 0.0,
+                small_wave_cutoff_m: 0.0,
+            })
+            .unwrap()
+        };
+        let first = |swell_m| {
+            let systems = [of_height(6.0, 1.0), of_height(18.0, swell_m)];
+            let [wind_sea, swell] = systems.map(|system| TAU / Profile::of(&system).peak_wave_number());
+            (Cascade::plan(&systems, BUDGET)[0].tile_size_m, 8.0 * wind_sea, 8.0 * swell)
+        };
+        for swell_m in [0.02, 0.03, 0.034, 0.1, 0.3, 0.45] {
+            let (found, by_wind_sea, by_swell) = first(swell_m);
+            let expected = if swell_m * swell_m > 1.1e-3 { by_swell } else { by_wind_sea };
+            assert!((found / expected - 1.0).abs() < 0.02, "{swell_m} m: {found} instead of {expected}");
+        }
+    }
+
     #[test]
     fn a_plan_takes_no_more_tiles_than_it_needs() {
         let few = Cascade::plan(&[wind_sea(10.0)], CascadeBudget { shortest_wave_m: 4.0, ..BUDGET });

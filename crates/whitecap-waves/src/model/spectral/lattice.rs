@@ -226,3 +226,49 @@ impl OneWay {
         is_far
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Band, Water};
+    use super::*;
+
+    /// Which waves of opposite pairs run turns a sea neither left nor right: its mean direction is off by chance, and on average
+    /// over seeds and all directions not at all.
+    #[test]
+    fn what_is_owed_moves_on_in_neither_sense_of_rotation() {
+        const N: usize = 64;
+        let waves =
+            || (-31..32).flat_map(|p| (-31..32).map(move |q| (p, q))).filter(|(p, q)| p * p + q * q >= 64);
+        let mut turned_deg = 0.0;
+        for step in 0..24 {
+            let wind = DVec2::from_angle(TAU * (f64::from(step) + 0.2) / 24.0);
+            let mut energy_m2 = vec![0.0; N * N];
+            for (p, q) in waves() {
+                let k = DVec2::new(f64::from(p), f64::from(q));
+                let along = k.normalize().dot(wind);
+                // One tenth runs against the wind.
+                let share = if along > 0.0 { 1.0 } else { 0.1 };
+                energy_m2[cell(N, p, q)] = share * along * along / k.length_squared().powi(2);
+            }
+            for seed in 0..40 {
+                let parameters = SpectralTileParameters {
+                    tile_size_m: 100.0,
+                    resolution: N,
+                    band: Band::WHOLE,
+                    choppiness: 0.0,
+                    water: Water::STILL,
+                    seed,
+                    amplitudes: Amplitudes::Deterministic,
+                };
+                let h0 = initial_amplitudes(&parameters, 0, &energy_m2);
+                let toward: DVec2 = waves()
+                    .map(|(p, q)| {
+                        h0[cell(N, p, q)].norm_sqr() * DVec2::new(f64::from(p), f64::from(q)).normalize()
+                    })
+                    .sum();
+                turned_deg += wind.angle_to(toward).to_degrees() / (24.0 * 40.0);
+            }
+        }
+        assert!(turned_deg.abs() < 0.1, "{turned_deg}°");
+    }
+}

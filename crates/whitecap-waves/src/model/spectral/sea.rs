@@ -163,7 +163,8 @@ impl Surface for SpectralSea {
         self.sums(rest_m, 0.0, time_s).surface(self.parameters.water.current_mps)
     }
 
-    /// By a [`Snapshot`]: to within 1 mm or 0.1 % of the significant height of the direct sum, whichever is larger.
+    /// By a [`Snapshot`]: to within 1 mm or 0.1 % of the significant height of the direct sum, whichever is larger; velocities to
+    /// within as much a second.
     fn query(&self, places_m: &[DVec2], time_s: f64) -> Result<Vec<SurfacePoint>, QueryError> {
         // Only who asks at the same time as another needs one more. A lock that a panic has poisoned holds whole ones.
         let kept = || self.snapshots.lock().unwrap_or_else(PoisonError::into_inner);

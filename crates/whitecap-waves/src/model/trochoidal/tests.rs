@@ -76,6 +76,37 @@ fn lengths_and_directions_are_those_of_the_spectrum() {
     assert!(mean.perp_dot(toward).abs() < 0.02);
 }
 
+/// Each wave's direction is the quantile of cos²ˢ at its fraction, (i + ½) of the golden ratio: as much of D lies to the left of it,
+/// by an integral of steps a hundredth as wide as the tolerance of a twentieth of a degree.
+#[test]
+fn directions_are_quantiles_to_a_twentieth_of_a_degree() {
+    for (from_deg, exponent) in [(237.0, 10.0), (0.0, 3.0), (90.25, 25.0), (311.6, 10.0)] {
+        let sea = Trochoidal::new(PARAMETERS, &[swell(from_deg, exponent)]).unwrap();
+        let density = |angle: f64| (0.5 * angle).cos().abs().powf(2.0 * exponent);
+        let steps = 720_000;
+        let angle = |i: i32| (f64::from(i) + 0.5) / f64::from(steps) * TAU - TAU / 2.0;
+        let all: f64 = (0..steps).map(|i| density(angle(i))).sum();
+        // From the first wave to the last in the order of their fractions.
+        let mut waves: Vec<(f64, DVec2)> = sea
+            .waves()
+            .iter()
+            .enumerate()
+            .map(|(i, wave)| (((i as f64 + 0.5) * GOLDEN).fract(), wave.wave_vector))
+            .collect();
+        waves.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (mut sum, mut next) = (0.0, 0);
+        for (fraction, wave_vector) in waves {
+            while sum < fraction * all {
+                sum += density(angle(next));
+                next += 1;
+            }
+            let found = toward_from_nautical(from_deg).angle_to(wave_vector);
+            let off_deg = (found - angle(next - 1)).to_degrees();
+            assert!(off_deg.abs() < 0.05, "from {from_deg}, s = {exponent}, {fraction}: off by {off_deg}°");
+        }
+    }
+}
+
 /// Who runs along with a lone wave, c t k̂ in t seconds, sees it stand still; the opposite way he does not.
 #[test]
 fn a_crest_travels_towards_its_wave_vector() {

@@ -124,6 +124,51 @@ fn the_table_is_the_formula() {
     }
 }
 
+/// Mitsuyasu's and Hasselmann's spreads are those of the sea's own wind and fetch: r₁ = ∫S s/(s + 1) dω/m0, since cos²ˢ has s/(s + 1),
+/// and the spread is √(2(1 − r₁)). Both s are written out here. By Mitsuyasu's a young sea is much broader than an old one.
+#[test]
+fn the_spread_is_that_of_wind_and_fetch() {
+    for (wind_mps, fetch_m) in [(12.0, 20e3), (10.0, 100e3), (20.0, 500e3)] {
+        let sea = Jonswap::from_wind_and_fetch(wind_mps, fetch_m, 3.3).unwrap();
+        // Ω = U ωp/g = 22 χ^(−1/3).
+        let inverse_age = 22.0 * (9.81 * fetch_m / (wind_mps * wind_mps)).powf(-1.0 / 3.0);
+        let peak = inverse_age * 9.81 / wind_mps;
+        let mitsuyasu = |x: f64| 11.5 * inverse_age.powf(-2.5) * x.powf(if x <= 1.0 { 5.0 } else { -2.5 });
+        let hasselmann = |x: f64| match x <= 1.0 {
+            true => 6.97 * x.powf(4.06),
+            false => 9.77 * x.powf(-2.33 - 1.45 * (inverse_age - 1.17)),
+        };
+        let laws: [(Spreading, &dyn Fn(f64) -> f64); 2] =
+            [(Spreading::Mitsuyasu, &mitsuyasu), (Spreading::Hasselmann, &hasselmann)];
+        for (spreading, s) in laws {
+            let (mut all, mut along) = (0.0, 0.0);
+            for i in 0..40_000 {
+                // Equal steps of ln ω from a third of the peak to forty times it.
+                let x = (-1.1 + 4.8 * (f64::from(i) + 0.5) / 40_000.0).exp();
+                let energy = sea.density_m2s(x * peak) * x;
+                (all, along) = (all + energy, along + energy * s(x) / (s(x) + 1.0));
+            }
+            let expected_deg = (2.0 * (1.0 - along / all)).sqrt().to_degrees();
+            let spectrum = Directional::new(sea, east(spreading, 0.0, Dispersion::DEEP)).unwrap();
+            let (mut all, mut along) = (0.0, 0.0);
+            for i in 0..1200 {
+                let k = spectrum.peak_wave_number * (-2.2 + 9.6 * (f64::from(i) + 0.5) / 1200.0).exp();
+                for j in 0..180 {
+                    let toward = DVec2::from_angle(TAU * f64::from(j) / 180.0);
+                    let energy = spectrum.density_m4(k * toward) * k * k;
+                    (all, along) = (all + energy, along + energy * toward.x);
+                }
+            }
+            let found_deg = (2.0 * (1.0 - along / all)).sqrt().to_degrees();
+            let what = format!("{spreading:?}, {wind_mps} m/s, {fetch_m} m");
+            assert!(
+                (found_deg - expected_deg).abs() < 0.02,
+                "{what}: {found_deg}° instead of {expected_deg}°"
+            );
+        }
+    }
+}
+
 #[test]
 fn beyond_the_table_the_formula_answers() {
     let spectrum = Directional::new(jonswap(), east(Spreading::Hasselmann, 0.2, Dispersion::DEEP)).unwrap();

@@ -262,6 +262,29 @@ fn contradictory_moments_are_brought_together() {
     assert!((flat(3.0) - 1.0 / TAU).abs() < 1e-12);
 }
 
+/// Above its limit r₁ is smoothed down to it by Poisson's kernel, which takes q off c₁ and q² off c₂: one beam, r₁ = r₂ = 1, becomes
+/// that kernel itself, and what is all but one keeps its φ₂ next to nothing.
+#[test]
+fn a_beam_is_smoothed_to_poissons_kernel() {
+    let q = DirectionalMoments::LARGEST_R1;
+    for (r1, r2, c2) in [(1.0, 1.0, q * q), (0.99, 0.985, (q / 0.99).powi(2) * 0.985)] {
+        let beam = DirectionalMoments { r1, mean_toward_rad: 0.7, r2, principal_toward_rad: 0.7 };
+        let distribution = beam.distribution(DirectionMethod::MaximumEntropy);
+        let (integral, found) = moments_of(&distribution);
+        assert!((integral - 1.0).abs() < 1e-9, "{integral}");
+        let kept = DirectionalMoments { r1: q, r2: c2, ..beam };
+        for (found, expected) in found.into_iter().zip(coefficients(kept)) {
+            assert!((found - expected).abs() < 1e-6, "r1 = {r1}: {found} {expected}");
+        }
+        if r1 == 1.0 {
+            for theta in [0.7, 0.72, 1.0, 3.0_f64] {
+                let kernel = (1.0 - q * q) / (1.0 - 2.0 * q * (theta - 0.7).cos() + q * q) / TAU;
+                assert!((distribution(theta) / kernel - 1.0).abs() < 1e-9, "{theta}");
+            }
+        }
+    }
+}
+
 proptest! {
     /// Any c₁ and φ₂ of a distribution that exists: maximum entropy has both moments, the weighted sum its
     /// shares.

@@ -135,7 +135,7 @@ impl SpectralTile {
             waves: Waves::new(&parameters, index, &energy.cell_variance_m2),
             evolved: vec![0.0; n / 2 * Column::len(n)],
             transform: InverseReal2d::new(n)?,
-            spline_factors: spline::factors(n / 2, n),
+            spline_factors: spline::factors(n / 2, n, spline::CUBIC),
         })
     }
 

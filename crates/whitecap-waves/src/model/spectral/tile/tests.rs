@@ -80,7 +80,8 @@ fn coefficients_draw_the_surface_between_samples() {
     let mut square = 0.0;
     for i in 0..200 {
         let place = DVec2::new(f64::from(i) * 0.317, (f64::from(i) * 7.93) % 64.0);
-        let drawn = spline::value(&coefficients, &Taps::at(place.x, 64), &Taps::at(place.y, 64));
+        let cubic = |samples| Taps::<{ spline::CUBIC }>::at(samples, 64);
+        let drawn = spline::value(&coefficients, &cubic(place.x), &cubic(place.y));
         let point = sea.sample(place * TILE.tile_size_m / 64.0, 5.5);
         square += (drawn.truncate().as_dvec3() - point.displacement_m).length_squared() / 200.0;
     }
