@@ -229,9 +229,9 @@ pub(crate) fn jet<const N: usize>(coefficients: &[Vec4], x: &Taps<N>, z: &Taps<N
     for (i, iz) in z.places().into_iter().enumerate() {
         let row = x.row(coefficients, iz);
         let (mut along, mut slope) = (Vec4::ZERO, Vec4::ZERO);
-        for j in 0..N {
-            along += row[j] * x.value[j];
-            slope += row[j] * x.slope[j];
+        for ((coefficient, value), by_place) in row.into_iter().zip(x.value).zip(x.slope) {
+            along += coefficient * value;
+            slope += coefficient * by_place;
         }
         value += along * z.value[i];
         by_x += slope * z.value[i];
@@ -247,8 +247,8 @@ pub(crate) fn value<const N: usize>(coefficients: &[Vec4], x: &Taps<N>, z: &Taps
     for (i, iz) in z.places().into_iter().enumerate() {
         let row = x.row(coefficients, iz);
         let mut along = Vec4::ZERO;
-        for j in 0..N {
-            along += row[j] * x.value[j];
+        for (coefficient, value) in row.into_iter().zip(x.value) {
+            along += coefficient * value;
         }
         value += along * z.value[i];
     }
