@@ -145,7 +145,7 @@ fn files_that_cannot_be_scenes() {
     );
     assert_eq!(
         message(&file("empty.toml", b"")),
-        "sea.system: missing; required: 1 to 8 tables [[sea.system]]"
+        "sea.system: missing; required: 1 or more tables [[sea.system]]"
     );
 }
 

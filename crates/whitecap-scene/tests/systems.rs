@@ -7,6 +7,7 @@ use whitecap_scene::Scene;
 use whitecap_scene::sea::system::{System, TmaSystem};
 use whitecap_scene::sea::{SeaModel, SeaSurface};
 use whitecap_waves::dispersion::Dispersion;
+use whitecap_waves::model::Surface;
 use whitecap_waves::spectrum::WaveSpectrum;
 use whitecap_waves::statistics::significant_height_m;
 
@@ -124,6 +125,27 @@ fn warnings_over(lines: &str, water: &Dispersion) -> Vec<String> {
     let system = system(lines);
     let spectrum = system.build("sea.system[0]", water).unwrap();
     system.warnings(water, &*spectrum)
+}
+
+/// Twenty-five systems of 0.6 m make a sea of 3 m.
+#[test]
+fn any_number_of_systems_adds_by_variance() {
+    let system = |i: u32| {
+        format!(
+            "[[sea.system]]\nspectrum = \"jonswap\"\nsignificant_height_m = 0.6\npeak_period_s = 8.0\nfrom_deg = {}.0\n",
+            12 * i
+        )
+    };
+    let text: String = (0..25).map(system).collect();
+    let camera = "[camera]\nposition_m = [0, 4, 0]\nlook_at_m = [9, 0, 0]\n";
+    let scene = Scene::from_toml(
+        &format!("technique = \"spectral-ocean\"\n[sea]\nresolution = 64\n{text}{camera}"),
+        "many",
+    )
+    .unwrap();
+    let SeaSurface::Spectral(sea) = scene.sea.build(1).unwrap() else { panic!() };
+    let height_m = significant_height_m(sea.variance_m2());
+    assert!((height_m - 3.0).abs() < 0.03, "{height_m}");
 }
 
 #[test]

@@ -78,7 +78,7 @@ pub enum Accepts {
         name: &'static str,
         /// The fewest.
         min: usize,
-        /// The most.
+        /// The most; the largest number for as many as a file holds.
         max: usize,
     },
 }
@@ -131,6 +131,7 @@ impl fmt::Display for Accepts {
             Self::Name => f.write_str("a name"),
             Self::Time => f.write_str("a time such as 2022-09-12T06:00:00Z"),
             Self::Tables { name, min, max } if min == max => write!(f, "{min} tables [[{name}]]"),
+            Self::Tables { name, min, max: usize::MAX } => write!(f, "{min} or more tables [[{name}]]"),
             Self::Tables { name, min, max } => write!(f, "{min} to {max} tables [[{name}]]"),
         }
     }

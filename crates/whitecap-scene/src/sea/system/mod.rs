@@ -260,5 +260,6 @@ enum Form<'a> {
     Measured(&'a MeasuredSystem),
 }
 
-/// One to eight wave systems.
-pub(super) const SYSTEMS: Tables<System> = Tables { name: "sea.system", min: 1, max: 8, read: System::read };
+/// Any number of wave systems: as many as a file holds.
+pub(super) const SYSTEMS: Tables<System> =
+    Tables { name: "sea.system", min: 1, max: usize::MAX, read: System::read };
