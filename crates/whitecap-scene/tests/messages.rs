@@ -457,6 +457,70 @@ fn tiles_that_do_not_hold_the_sea() {
     assert!(message.contains("a greater sea.cascade[1].resolution or one more [[sea.cascade]]"), "{message}");
 }
 
+/// Bands that are given: what no tile holds, what two carry, and what none does.
+#[test]
+fn bands_of_tiles() {
+    let with = |tiles: &[&str]| {
+        let start =
+            "technique = \"spectral-ocean\"\n[sea]\n[[sea.system]]\nspectrum = \"jonswap\"\nfrom_deg = 9\n";
+        let sea = "significant_height_m = 3\npeak_period_s = 9\n";
+        let tiles: String =
+            tiles.iter().map(|tile| format!("[[sea.cascade]]\n{}\n", tile.replace("; ", "\n"))).collect();
+        let camera = "[camera]\nposition_m = [0, 4, 0]\nlook_at_m = [9, 0, 0]\n";
+        Scene::from_toml(&format!("{start}{sea}{tiles}{camera}"), "storm.toml")
+    };
+    let refused = |tiles: &[&str]| with(tiles).unwrap_err().to_string();
+    let warned = |tiles: &[&str]| with(tiles).unwrap().warnings.join("\n");
+    const LARGE: &str = "tile_size_m = 1200.0";
+    for tiles in [
+        &["tile_size_m = 1200.0; shortest_wave_m = 20.0", "tile_size_m = 120.0; longest_wave_m = 20.0"][..],
+        &["tile_size_m = 120.0; longest_wave_m = 60.0", LARGE],
+        &["tile_size_m = 1200.0; longest_wave_m = 1200.0; shortest_wave_m = 9.375"],
+        &["tile_size_m = 1200.0; shortest_wave_m = 20.0", "tile_size_m = 120.0; shortest_wave_m = 2.0"],
+    ] {
+        assert_eq!(warned(tiles), "", "{tiles:?}");
+    }
+    for (tile, found) in [
+        ("longest_wave_m = 150.1", "storm.toml:11: sea.cascade[0].longest_wave_m = 150.1"),
+        ("shortest_wave_m = 2.2", "storm.toml:11: sea.cascade[0].shortest_wave_m = 2.2"),
+        ("shortest_wave_m = 200", "storm.toml:11: sea.cascade[0].shortest_wave_m = 200"),
+    ] {
+        let held = "not held by this tile; 150 m with 128 samples a side hold waves from 2.34375 to 150 m";
+        assert_eq!(
+            refused(&[&format!("tile_size_m = 150; resolution = 128; {tile}")]),
+            format!("{found}: {held}")
+        );
+    }
+    let twice = "both carry waves from 20 to 30 m, whose energy would count twice; accepted: bands apart, by longest_wave_m and \
+                 shortest_wave_m";
+    assert!(
+        refused(&["tile_size_m = 120; longest_wave_m = 30", "tile_size_m = 1200; shortest_wave_m = 20"])
+            .ends_with(&format!("sea.cascade[1] and sea.cascade[0] {twice}"))
+    );
+    let message = refused(&["tile_size_m = 120; longest_wave_m = 20; shortest_wave_m = 20"]);
+    assert!(message.contains("sea.cascade[0].shortest_wave_m = 20: "), "{message}");
+    let message =
+        refused(&["tile_size_m = 1200; shortest_wave_m = 10", "tile_size_m = 120; shortest_wave_m = 15"]);
+    assert!(message.contains("sea.cascade[1] has no waves left from 10 m down"), "{message}");
+
+    let message =
+        warned(&["tile_size_m = 1200; shortest_wave_m = 60", "tile_size_m = 120; longest_wave_m = 40"]);
+    assert!(message.contains("waves from 40 to 60 m are in no band, "), "{message}");
+    assert!(message.contains("% of its energy; sea.cascade[1].longest_wave_m = 60 holds them"), "{message}");
+    let message = warned(&["tile_size_m = 1200; shortest_wave_m = 70", "tile_size_m = 20"]);
+    assert!(message.contains("waves from 20 to 70 m are in no band"), "{message}");
+    assert!(message.contains("sea.cascade[0].shortest_wave_m = 20 holds them"), "{message}");
+    let message = warned(&["tile_size_m = 1200; longest_wave_m = 200"]);
+    assert!(message.contains("waves from 200 to 1200 m are in no band"), "{message}");
+    assert!(message.contains("sea.cascade[0].longest_wave_m = 1200 holds them"), "{message}");
+    let message = warned(&["tile_size_m = 1200; shortest_wave_m = 60"]);
+    assert!(message.contains("waves from 18.75 to 60 m are in no band"), "{message}");
+    // Less than half of the energy.
+    let message = refused(&["tile_size_m = 1200; longest_wave_m = 80"]);
+    assert!(message.contains("sea.cascade: the tiles carry only "), "{message}");
+    assert!(message.contains("waves from 80 to 1200 m are in no band"), "{message}");
+}
+
 /// A scene whose only wave system has these lines.
 fn system(lines: &str) -> String {
     format!("[sea]\ntile_size_m = 400.0\nresolution = 256\n[[sea.system]]\nfrom_deg = 250.0\n{lines}\n")

@@ -10,7 +10,7 @@ use whitecap_waves::{ParameterError, Remedy};
 
 use super::spectral::{FULL, LEAST_PEAK_WAVES};
 use super::system::metres;
-use super::{SpectralSettings, Tiling};
+use super::{SpectralSettings, Tiling, cascade};
 use crate::error::SceneError;
 
 /// The sea's own complaint, under the key that it is about.
@@ -46,6 +46,13 @@ pub(super) fn problem(
             SceneError::about_key(key, problem)
         }
         ParameterError::SeaDoesNotFit { system, captured_fraction, ref remedy, .. } => {
+            if let Some(gap) = gap(settings, &Profile::of(&spectra[system])) {
+                let problem = format!(
+                    "the tiles carry only {:.0} % of the energy of wave system {system}: {gap}",
+                    100.0 * captured_fraction
+                );
+                return SceneError::about_key("sea.cascade", problem);
+            }
             let key = match remedy {
                 Remedy::LargerTile { .. } => largest_tile(settings),
                 Remedy::CloserSamples { .. } => finest_tile(settings),
@@ -72,6 +79,9 @@ pub(super) fn remedy(
     sea: &SpectralSea,
     profile: &Profile,
 ) -> String {
+    if let Some(gap) = gap(settings, profile) {
+        return gap;
+    }
     let cascades = &sea.parameters().cascades;
     let first = cascades[0];
     let (longest, finest) = ends(cascades);
@@ -94,6 +104,11 @@ pub(super) fn remedy(
         };
         format!("waves below {:.2} m are too short for the samples; {more}", TAU / finest)
     }
+}
+
+/// Where bands that a file says leave out more than its tiles cannot hold.
+fn gap(settings: &SpectralSettings, profile: &Profile) -> Option<String> {
+    cascade::widest_gap(settings.cascade.as_deref()?, profile)
 }
 
 /// Where the largest of the tiles that a file asks for holds few waves of a system's peak: one sentence for each such system.

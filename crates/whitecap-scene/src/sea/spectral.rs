@@ -8,7 +8,7 @@ use whitecap_waves::model::spectral::{self, CascadeBudget, SpectralSea, Spectral
 use whitecap_waves::spectrum::{Profile, WaveSpectrum};
 use whitecap_waves::statistics::significant_height_m;
 
-use super::cascade::{CASCADES, Cascade};
+use super::cascade::{self, CASCADES, Cascade};
 use super::system::{self, SYSTEMS, System, metres};
 use super::{SeaModel, SeaSurface, fitting};
 use crate::error::SceneError;
@@ -135,6 +135,9 @@ impl SpectralSettings {
                 "beside [[sea.cascade]]; accepted: one of the two, tiles one by one or a plan for them",
             ));
         }
+        if let Some(problem) = settings.cascade.as_deref().and_then(cascade::overlap) {
+            return Err(table.error(Some("cascade"), problem));
+        }
         // Where it says what would be so without it, it does no harm.
         if settings.current_toward_deg != 0.0 && !table.has("current_mps") {
             return Err(table.error(
@@ -202,11 +205,7 @@ impl SpectralSettings {
     /// The tiles for a sea of these spectra, drawn by a technique with this tiling.
     pub fn cascades(&self, spectra: &[Box<dyn WaveSpectrum>], tiling: &Tiling) -> Vec<spectral::Cascade> {
         match &self.cascade {
-            Some(list) => {
-                let tiles: Vec<_> =
-                    list.iter().map(|tile| (tile.tile_size_m, tile.resolution as usize)).collect();
-                spectral::Cascade::split(&tiles)
-            }
+            Some(list) => cascade::tiles(list),
             None => spectral::Cascade::plan(
                 spectra,
                 CascadeBudget {

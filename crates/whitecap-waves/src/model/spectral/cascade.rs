@@ -17,6 +17,19 @@ pub struct Cascade {
     pub band: Band,
 }
 
+/// One tile of a sea, and what is asked of its band.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CascadeRequest {
+    /// L in metres.
+    pub tile_size_m: f64,
+    /// N.
+    pub resolution: usize,
+    /// The longest of its waves in metres; `None` for those that are too short for the tiles before it.
+    pub longest_wave_m: Option<f64>,
+    /// Where its waves end, in metres; `None` for those of four samples, or for where the next tile's are asked to begin.
+    pub shortest_wave_m: Option<f64>,
+}
+
 /// What a plan of cascades has to keep to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CascadeBudget {
@@ -57,19 +70,35 @@ impl Cascade {
     /// short for the ones before it. A wave is at least four samples long, but for those of a lone tile, which
     /// carries its whole lattice.
     pub fn split(tiles: &[(f64, usize)]) -> Vec<Self> {
-        if let &[(tile_size_m, resolution)] = tiles {
-            return vec![Self::whole(tile_size_m, resolution)];
-        }
-        let mut tiles = tiles.to_vec();
-        tiles.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let mut from = 0.0;
-        let cascade = |(tile_size_m, resolution): (f64, usize)| {
-            let to = (TAU * resolution as f64 / (SAMPLES_PER_WAVE * tile_size_m)).max(from);
-            let band = Band { from, to };
-            from = to;
-            Self { tile_size_m, resolution, band }
+        let request = |&(tile_size_m, resolution): &(f64, usize)| CascadeRequest {
+            tile_size_m,
+            resolution,
+            longest_wave_m: None,
+            shortest_wave_m: None,
         };
-        tiles.into_iter().map(cascade).collect()
+        Self::of_requests(&tiles.iter().map(request).collect::<Vec<_>>())
+    }
+
+    /// The same with bands that are given in part, or all. What is given is taken as it is: it may leave waves out, and carry
+    /// others twice.
+    pub fn of_requests(requests: &[CascadeRequest]) -> Vec<Self> {
+        let mut requests = requests.to_vec();
+        requests.sort_by(|a, b| b.tile_size_m.total_cmp(&a.tile_size_m));
+        let mut ended = 0.0;
+        let cascade = |(index, request): (usize, &CascadeRequest)| {
+            let &CascadeRequest { tile_size_m, resolution, longest_wave_m, shortest_wave_m } = request;
+            let from = longest_wave_m.map_or(ended, |wave_m| TAU / wave_m);
+            let smooth = || match requests.len() {
+                1 => f64::INFINITY,
+                _ => TAU * resolution as f64 / (SAMPLES_PER_WAVE * tile_size_m),
+            };
+            let next = requests.get(index + 1).and_then(|next| next.longest_wave_m);
+            let by_itself = || smooth().min(next.map_or(f64::INFINITY, |wave_m| TAU / wave_m)).max(from);
+            let to = shortest_wave_m.map_or_else(by_itself, |wave_m| TAU / wave_m);
+            ended = to;
+            Self { tile_size_m, resolution, band: Band { from, to } }
+        };
+        requests.iter().enumerate().map(cascade).collect()
     }
 
     /// Tiles for a sea of these systems: the first holds eight wavelengths of the longest peak, and as few more as
@@ -157,6 +186,37 @@ mod tests {
             let longest_waves = pair[1].tile_size_m * pair[1].band.from / TAU;
             assert!(longest_waves >= 6.0, "{longest_waves}");
         }
+    }
+
+    /// Four samples to a wave where nothing is given, and where it is, what is given; the next tile takes up what is left.
+    #[test]
+    fn bands_are_taken_as_they_are_given() {
+        let request = |tile_size_m, longest_wave_m, shortest_wave_m| CascadeRequest {
+            tile_size_m,
+            resolution: 64,
+            longest_wave_m,
+            shortest_wave_m,
+        };
+        let waves_m = |requests: &[CascadeRequest]| {
+            let of = |cascade: &Cascade| [TAU / cascade.band.from, TAU / cascade.band.to].map(|m| m as f32);
+            Cascade::of_requests(requests).iter().map(of).collect::<Vec<_>>()
+        };
+        let (none, all) = (None, f32::INFINITY);
+        assert_eq!(waves_m(&[request(160.0, none, none)]), [[all, 0.0]]);
+        assert_eq!(waves_m(&[request(160.0, Some(90.0), Some(7.0))]), [[90.0, 7.0]]);
+        assert_eq!(
+            waves_m(&[request(32.0, none, none), request(160.0, none, Some(6.0))]),
+            [[all, 6.0], [6.0, 2.0]]
+        );
+        assert_eq!(
+            waves_m(&[request(160.0, none, none), request(32.0, Some(15.0), Some(4.0))]),
+            [[all, 15.0], [15.0, 4.0]]
+        );
+        // A gap, which nothing fills.
+        assert_eq!(
+            waves_m(&[request(160.0, none, none), request(32.0, Some(8.0), none)]),
+            [[all, 10.0], [8.0, 2.0]]
+        );
     }
 
     /// A swell of a fiftieth of the height, 0.04 % of the energy, is none to size a tile by; one of a tenth, 1 %, is.

@@ -58,7 +58,7 @@ mod sea;
 mod tile;
 
 pub use band::Band;
-pub use cascade::{Cascade, CascadeBudget};
+pub use cascade::{Cascade, CascadeBudget, CascadeRequest};
 pub use patchwork::{Patch, Patchwork};
 pub use sea::{SpectralSea, SpectralSeaParameters};
 pub use tile::{SpectralTile, SpectralTileParameters, WaveColumn};
