@@ -1,12 +1,11 @@
 //! `bake`: maps that are the surface that `probe` tells of, whole or not at all.
 
-use crate::{json, names_in, sentence, stderr, stdout, whitecap};
+use crate::{json, kill_at_any_moment, names_in, sentence, stderr, stdout, whitecap};
 use assert_cmd::assert::Assert;
 use exr::prelude::{ReadChannels, ReadLayers};
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::time::Duration;
 
 /// A quick sea that loops, of two tiles.
 const LOOP: &str = "\
@@ -229,10 +228,8 @@ fn a_killed_bake_goes_on_where_it_was() {
     for i in 0..50 {
         let before = if killed.is_dir() { names_in(&killed).len() } else { 0 };
         let mut child = start("killed").spawn().unwrap();
-        let part = (f64::from(i) * 0.618_033_988_75).fract();
-        std::thread::sleep(Duration::from_secs_f64(0.03 + 0.15 * part));
-        child.kill().unwrap();
-        child.wait().unwrap();
+        let count = || fs::read_dir(&killed).map_or(0, Iterator::count);
+        kill_at_any_moment(&mut child, i, 0.1, count);
         if !killed.is_dir() {
             continue;
         }

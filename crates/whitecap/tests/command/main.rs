@@ -45,6 +45,25 @@ fn json(assert: &Assert) -> serde_json::Value {
     serde_json::from_slice(&assert.get_output().stdout).expect("standard output is one JSON document")
 }
 
+/// Kills a process at a moment that `i` chooses: an odd one in the first `seconds`, an even one soon after `count` of its
+/// files has grown.
+fn kill_at_any_moment(child: &mut std::process::Child, i: u32, seconds: f64, count: impl Fn() -> usize) {
+    use std::time::Duration;
+    // Fractions of the golden ratio fill a time evenly and never come back to a moment.
+    let part = (f64::from(i) * 0.618_033_988_75).fract();
+    if i.is_multiple_of(2) {
+        let before = count();
+        while count() == before && child.try_wait().unwrap().is_none() {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        std::thread::sleep(Duration::from_secs_f64(0.03 * seconds * part));
+    } else {
+        std::thread::sleep(Duration::from_secs_f64(seconds * part));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+}
+
 /// What is in `folder`, hidden files too.
 fn names_in(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).unwrap();

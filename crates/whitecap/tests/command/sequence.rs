@@ -1,11 +1,10 @@
 //! `render --frames`: what is made, what is kept, and what an end in the middle leaves.
 
-use crate::{has_adapter, names_in, sentence, stderr, stdout, whitecap};
+use crate::{has_adapter, kill_at_any_moment, names_in, sentence, stderr, stdout, whitecap};
 use assert_cmd::assert::Assert;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::time::Duration;
 
 /// A scene that is quickly drawn.
 const QUICK: &str = "five-sample";
@@ -143,11 +142,8 @@ fn a_killed_sequence_goes_on_where_it_was() {
     for i in 0..50 {
         let before = if killed.is_dir() { names_in(&killed).len() } else { 0 };
         let mut child = render("killed").spawn().unwrap();
-        // Fractions of the golden ratio fill the time evenly and never come back to a moment.
-        let part = (f64::from(i) * 0.618_033_988_75).fract();
-        std::thread::sleep(Duration::from_secs_f64(0.2 + 0.7 * part));
-        child.kill().unwrap();
-        child.wait().unwrap();
+        let count = || fs::read_dir(&killed).map_or(0, Iterator::count);
+        kill_at_any_moment(&mut child, i, 0.9, count);
         if !killed.is_dir() {
             continue;
         }

@@ -30,7 +30,8 @@ const JITTER: f64 = 0.28;
 /// The angle between the triangles of a tile and those of the next, rad.
 const TURN: f64 = 0.65;
 
-/// The patches of one tile; see the [module](self).
+/// The patches of one tile of a sea that is [sewn](super::SpectralSea::sewn): three copies of it lie over each place, at shifts by
+/// chance, with weights whose squares add up to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Patchwork {
     /// Steps of the lattice to a metre east and to one south.
