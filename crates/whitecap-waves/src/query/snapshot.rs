@@ -98,13 +98,7 @@ impl Snapshot {
     /// If a place is not finite.
     pub fn query(&self, places_m: &[DVec2]) -> Result<Vec<SurfacePoint>, QueryError> {
         check(places_m, 0.0)?;
-        #[cfg(all(feature = "parallel", not(target_arch = "wasm32")))]
-        {
-            use rayon::prelude::*;
-            Ok(places_m.par_iter().with_min_len(256).map(|place| self.over(*place)).collect())
-        }
-        #[cfg(not(all(feature = "parallel", not(target_arch = "wasm32"))))]
-        Ok(places_m.iter().map(|place| self.over(*place)).collect())
+        Ok(each(places_m, |place| self.over(*place)))
     }
 
     /// The water that rests at each place, in their order: what a map of displacement holds.
@@ -119,25 +113,13 @@ impl Snapshot {
             sums.velocity = self.tiles.iter().map(|tile| tile.velocity(*rest_m)).sum();
             sums.surface(self.current_mps)
         };
-        #[cfg(feature = "parallel")]
-        {
-            use rayon::prelude::*;
-            Ok(rests_m.par_iter().with_min_len(256).map(at_rest).collect())
-        }
-        #[cfg(not(feature = "parallel"))]
-        Ok(rests_m.iter().map(at_rest).collect())
+        Ok(each(rests_m, at_rest))
     }
 
     /// How the water moves that rests at each place of a tile alone, as it repeats, m/s, without the current. Of a tile that is not there nothing.
     pub fn velocities_of_tile(&self, tile: usize, rests_m: &[DVec2]) -> Vec<DVec3> {
         let Some(tile) = self.tiles.get(tile) else { return Vec::new() };
-        #[cfg(feature = "parallel")]
-        {
-            use rayon::prelude::*;
-            rests_m.par_iter().with_min_len(256).map(|rest_m| tile.velocity_of_tile(*rest_m)).collect()
-        }
-        #[cfg(not(feature = "parallel"))]
-        rests_m.iter().map(|rest_m| tile.velocity_of_tile(*rest_m)).collect()
+        each(rests_m, |rest_m| tile.velocity_of_tile(*rest_m))
     }
 
     /// The water over one place, upright.
@@ -154,6 +136,17 @@ impl Snapshot {
         }
         sums
     }
+}
+
+/// What `of` says of each place, in their order.
+fn each<T: Send>(places_m: &[DVec2], of: impl Fn(&DVec2) -> T + Sync) -> Vec<T> {
+    #[cfg(all(feature = "parallel", not(target_arch = "wasm32")))]
+    {
+        use rayon::prelude::*;
+        places_m.par_iter().with_min_len(256).map(of).collect()
+    }
+    #[cfg(not(all(feature = "parallel", not(target_arch = "wasm32"))))]
+    places_m.iter().map(of).collect()
 }
 
 /// One tile at one moment.
