@@ -116,7 +116,8 @@ impl Snapshot {
         Ok(each(rests_m, at_rest))
     }
 
-    /// How the water moves that rests at each place of a tile alone, as it repeats, m/s, without the current. Of a tile that is not there nothing.
+    /// How the water moves that rests at each place of a tile alone, as it repeats, m/s, without the current. Of a tile that is
+    /// not there nothing.
     pub fn velocities_of_tile(&self, tile: usize, rests_m: &[DVec2]) -> Vec<DVec3> {
         let Some(tile) = self.tiles.get(tile) else { return Vec::new() };
         each(rests_m, |rest_m| tile.velocity_of_tile(*rest_m))
@@ -139,7 +140,7 @@ impl Snapshot {
 }
 
 /// What `of` says of each place, in their order.
-fn each<T: Send>(places_m: &[DVec2], of: impl Fn(&DVec2) -> T + Sync) -> Vec<T> {
+fn each<T: Send>(places_m: &[DVec2], of: impl Fn(&DVec2) -> T + Send + Sync) -> Vec<T> {
     #[cfg(all(feature = "parallel", not(target_arch = "wasm32")))]
     {
         use rayon::prelude::*;
