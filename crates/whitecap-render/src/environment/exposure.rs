@@ -15,9 +15,7 @@ use glam::Vec3;
 use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 use whitecap_scene::Picture;
 use whitecap_waves::optics::fresnel_exact;
-
-/// Of sea water.
-const SEA_REFRACTIVE_INDEX: f64 = 1.34;
+use whitecap_waves::optics::surface::SEA_REFRACTIVE_INDEX;
 
 /// Luminance of white at EV100 = 0, kcd/m².
 const WHITE_KCD_PER_M2: f64 = 1.2e-3;

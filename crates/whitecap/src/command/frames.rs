@@ -1,6 +1,6 @@
 //! Which frames of a sequence, when each is, and what its file is called.
 
-use super::options::MAX_TIME_S;
+use super::options::{MAX_TIME_S, whole_number};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -28,14 +28,9 @@ impl Frames {
 /// Reads `A..B`.
 pub(super) fn parse_frames(text: &str) -> Result<Frames, String> {
     let accepted = "accepted: A..B, the frames from A to the one before B, such as 0..240";
-    let number = |digits: &str| {
-        // `parse` alone would take "+5".
-        let plain = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
-        digits.parse::<u64>().ok().filter(|_| plain)
-    };
     let (from, to) = text
         .split_once("..")
-        .and_then(|(from, to)| Some((number(from)?, number(to)?)))
+        .and_then(|(from, to)| Some((whole_number::<u64>(from)?, whole_number::<u64>(to)?)))
         .ok_or_else(|| accepted.to_owned())?;
     match to.checked_sub(from) {
         None => Err(format!("the last comes before the first; {accepted}")),
@@ -103,10 +98,7 @@ impl Chunk {
 /// Reads `I/N`.
 pub(super) fn parse_chunk(text: &str) -> Result<Chunk, String> {
     let accepted = "accepted: I/N, the I-th of N parts, such as 2/5";
-    let number = |digits: &str| {
-        let plain = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
-        digits.parse::<u64>().ok().filter(|&number| plain && (1..=MOST).contains(&number))
-    };
+    let number = |digits: &str| whole_number(digits).filter(|number| (1..=MOST).contains(number));
     let (index, count) = text
         .split_once('/')
         .and_then(|(index, count)| Some((number(index)?, number(count)?)))

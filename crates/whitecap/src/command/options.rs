@@ -28,11 +28,7 @@ pub(super) struct Size {
 }
 
 pub(super) fn parse_size(text: &str) -> Result<Size, String> {
-    let side = |digits: &str| {
-        // `parse` alone would take "+5".
-        let plain = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
-        digits.parse().ok().filter(|&side| plain && side > 0)
-    };
+    let side = |digits: &str| whole_number(digits).filter(|&side| side > 0);
     text.split_once(['x', 'X', '×'])
         .and_then(|(width, height)| Some(Size { width: side(width)?, height: side(height)? }))
         .ok_or_else(|| "accepted: two whole numbers from 1, width and height, such as 1280x720".to_owned())
@@ -41,6 +37,12 @@ pub(super) fn parse_size(text: &str) -> Result<Size, String> {
 pub(super) fn parse_time_s(text: &str) -> Result<f64, String> {
     within(text, MAX_TIME_S)
         .ok_or_else(|| format!("accepted: seconds from -{MAX_TIME_S} to {MAX_TIME_S}, such as 3.5"))
+}
+
+/// A number of digits alone: `parse` by itself would take "+5".
+pub(super) fn whole_number<T: std::str::FromStr>(digits: &str) -> Option<T> {
+    let plain = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
+    digits.parse().ok().filter(|_| plain)
 }
 
 /// Two numbers that say a place.

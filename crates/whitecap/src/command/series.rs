@@ -1,6 +1,6 @@
 //! Evenly spaced numbers, `A..B/N`: moments, and the two sides of a grid.
 
-use super::options::{MAX_FAR, MAX_TIME_S, Place, within};
+use super::options::{MAX_FAR, MAX_TIME_S, Place, whole_number, within};
 
 /// `count` numbers from `from` to `to`, both included; `from` alone where there is one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,9 +28,7 @@ impl Series {
     fn parse(text: &str, most: f64) -> Option<Self> {
         let (range, count) = text.split_once('/')?;
         let (from, to) = range.split_once("..")?;
-        // `parse` alone would take "+5".
-        let plain = count.bytes().all(|byte| byte.is_ascii_digit());
-        let count = count.parse().ok().filter(|&count| plain && count > 0)?;
+        let count = whole_number(count).filter(|&count| count > 0)?;
         Some(Self { from: within(from, most)?, to: within(to, most)?, count })
     }
 }

@@ -1,6 +1,6 @@
 //! `bake`: maps that are the surface that `probe` tells of, whole or not at all.
 
-use crate::{json, kill_at_any_moment, names_in, sentence, stderr, stdout, whitecap};
+use crate::{contents, json, kill_at_any_moment, names_in, sentence, stderr, stdout, whitecap};
 use assert_cmd::assert::Assert;
 use exr::prelude::{ReadChannels, ReadLayers};
 use std::fs;
@@ -45,10 +45,6 @@ fn npy(path: &Path) -> (Vec<usize>, Vec<f32>) {
     let shape = shape.split(',').filter_map(|side| side.trim().parse().ok()).collect();
     let numbers = bytes[length..].chunks_exact(4).map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap()));
     (shape, numbers.collect())
-}
-
-fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
-    names_in(folder).into_iter().map(|name| (name.clone(), fs::read(folder.join(name)).unwrap())).collect()
 }
 
 /// Water that rests at a sample is where its displacement says; over that place `probe` finds the same height, normal and velocity.

@@ -72,6 +72,14 @@ fn names_in(folder: &Path) -> Vec<String> {
     names
 }
 
+/// Names and bytes of all files in `folder`.
+fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
+    names_in(folder)
+        .into_iter()
+        .map(|name| (name.clone(), std::fs::read(folder.join(name)).unwrap()))
+        .collect()
+}
+
 /// Whether there is an adapter to draw with. Says loudly that the test is skipped where there is none, and
 /// fails where one is required.
 fn has_adapter() -> bool {

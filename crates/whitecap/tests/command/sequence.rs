@@ -1,6 +1,6 @@
 //! `render --frames`: what is made, what is kept, and what an end in the middle leaves.
 
-use crate::{has_adapter, kill_at_any_moment, names_in, sentence, stderr, stdout, whitecap};
+use crate::{contents, has_adapter, kill_at_any_moment, names_in, sentence, stderr, stdout, whitecap};
 use assert_cmd::assert::Assert;
 use std::fs;
 use std::path::Path;
@@ -11,11 +11,6 @@ const QUICK: &str = "five-sample";
 
 fn lines(assert: &Assert) -> Vec<serde_json::Value> {
     stdout(assert).lines().map(|line| serde_json::from_str(line).unwrap()).collect()
-}
-
-/// Names and bytes of all files.
-fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
-    names_in(folder).into_iter().map(|name| (name.clone(), fs::read(folder.join(name)).unwrap())).collect()
 }
 
 /// Frames of a sequence are the pictures that `render` makes of their moments, kept where they are there already.
